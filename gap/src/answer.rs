@@ -143,6 +143,9 @@ pub struct DatasetSummary {
     pub rows: usize,
     /// Columns that held values.
     pub columns_used: Vec<String>,
+    /// Of a record: whether its input keeps its value until the next sample, as that of a converter does, and is no
+    /// smooth signal between them. The record says so itself; none where nothing drives it.
+    pub input_held: Option<bool>,
     /// Hash of rig and table.
     pub sha256: String,
 }

@@ -43,6 +43,7 @@ pub fn diagnose(folder: &Path, options: &Options) -> Result<Answer, GapError> {
                 path,
                 rows: points.len(),
                 columns_used: columns.clone(),
+                input_held: None,
                 sha256: dataset.sha256.clone(),
             };
             Ok(diagnose_points(

@@ -170,10 +170,10 @@ pub(crate) const NOISE_SCATTER: f64 = 0.01;
 /// P-value of a sum of squares below which noise is larger than stated: of the seven groups of 1400
 /// sets one.
 pub(crate) const NOISE_P_VALUE: f64 = 1e-4;
-/// Factor on a stated uncertainty up to which it may be noise without repetitions that show it: a guess from an
-/// instrument's resolution is wrong by two or three. What twelve to thirty rows leave of a comb, a notch or a
-/// band-pass, which the library lacks, looks like noise of 30 to 180 times the stated.
-pub(crate) const MOST_ON_U: f64 = 6.0;
+/// Factor on a stated uncertainty up to which it may be noise without repetitions that show it: guesses from an
+/// instrument's resolution were wrong by up to 6.5 in measured sets. What twelve to thirty rows leave of a comb, a
+/// notch or a band-pass, which the library lacks, looks like noise of 27 to 180 times the stated.
+pub(crate) const MOST_ON_U: f64 = 10.0;
 /// The same over the scatter of repetitions, which a dozen pairs state within a third.
 pub(crate) const MOST_OVER_REPEATED: f64 = 2.0;
 /// Standard deviations by which a correlation of independent rows does not differ from zero: 3e-5.

@@ -72,6 +72,7 @@ pub(crate) fn diagnose(
         path,
         rows: record.input.len(),
         columns_used: vec!["time_s".into(), "input".into(), "output".into()],
+        input_held: part.driven.then_some(part.holds),
         sha256: dataset.sha256.clone(),
     };
     Ok(answer(&steps, &part, &held, scored, summary))

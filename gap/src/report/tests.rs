@@ -98,6 +98,7 @@ fn answer(verdict: Verdict, gap: Gap, pictures: Pictures) -> Answer {
             path: HOSTILE.into(),
             rows: 4,
             columns_used: vec![HOSTILE.into()],
+            input_held: Some(true),
             sha256: "00".into(),
         },
         confirmation: None,

@@ -121,6 +121,7 @@ fn an_input_that_is_held_is_no_delay() {
         let answer = answer_to(name, &record(&of, SAMPLES, &mut Random::new(871)));
         assert_eq!(answer.causes[0].effects, [name], "{}", answer.summary);
         assert_eq!(answer.verdict, Verdict::Explained, "{}", answer.summary);
+        assert_eq!(answer.dataset.input_held, Some(true));
     }
 }
 

@@ -7,7 +7,11 @@ use std::fmt::Write;
 pub(super) fn answer(answer: &Answer) -> String {
     let mut text = String::new();
     let dataset = &answer.dataset;
-    let _ = writeln!(text, "{} ({} rows)", dataset.path, dataset.rows);
+    let held = match dataset.input_held {
+        Some(true) => ", the input held between them",
+        _ => "",
+    };
+    let _ = writeln!(text, "{} ({} rows{held})", dataset.path, dataset.rows);
     let _ = writeln!(text, "  {}", answer.summary);
     let _ = writeln!(text, "  {}", verdict(answer.verdict));
     // A gap too faint to be claimed has no cause, only what it might be.
