@@ -179,12 +179,13 @@ fn device(truth: &Truth, row: &Condition, frequency_hz: f64) -> C {
 fn conditioner(truth: &Truth, frequency_hz: f64) -> C {
     let other = truth.has_other_form();
     // A coupling or a cable whose capacitor is no pure one.
-    let order = if other { 0.85 } else { 1.0 };
     let corner = truth.factor("dut_highpass.f", |hz| {
-        high_pass(frequency_hz, hz).powf(order)
+        let one = high_pass(frequency_hz, hz);
+        if other { one.powf(0.85) } else { one }
     });
     let first = truth.factor("dut_lowpass_1.f", |hz| {
-        C::new(1.0, frequency_hz / hz).powf(-order)
+        let one = C::new(1.0, frequency_hz / hz).inv();
+        if other { one.powf(0.85) } else { one }
     });
     let second = truth.factor("dut_lowpass_2.f", |corner_hz| {
         second_order(frequency_hz, corner_hz, truth.or("dut_lowpass_2.q", 0.707))
