@@ -21,8 +21,7 @@ const TO_THE_END: usize = 40;
 /// a veto.
 pub(super) fn grow(run: Run, mut start: Fitted, held: &Run, options: &Options) -> (Vec<Step>, Run) {
     let mut run = run;
-    let held = held.holding(run.holds);
-    start.unseen = square_on(&run, &held, &start);
+    start.unseen = square_on(&run, &held.as_in(&run), &start);
     let left = examine(&run, &start);
     let mut steps = vec![Step {
         fit: start,
@@ -44,7 +43,7 @@ pub(super) fn grow(run: Run, mut start: Fitted, held: &Run, options: &Options) -
         run = integrate_finely(run, &mut tried);
         let Some(best) = tried.first() else { break };
         let (led, mut left) = (best.terms.clone(), examine(&run, best));
-        let held = held.stretch(usize::MAX, run.steps);
+        let held = held.as_in(&run);
         strike(&mut tried, &steps, &left, [&run, &held]);
         let Some(best) = tried.first() else { break };
         if best.terms != led {

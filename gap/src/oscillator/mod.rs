@@ -64,8 +64,7 @@ pub(crate) fn diagnose(
         .ok_or_else(|| unusable("no linear oscillator fits the record at all"))?;
     let held = Run::new(&held, FEWEST_STEPS);
     let (steps, part) = grown(part, start, &held, options);
-    let held = held.holding(part.holds);
-    let held = held.stretch(usize::MAX, part.steps);
+    let held = held.as_in(&part);
     let scored = Scored::new(&steps, &part, &held)
         .ok_or_else(|| unusable("the oscillator diverges on the held-out record"))?;
     let summary = DatasetSummary {

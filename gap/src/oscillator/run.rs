@@ -52,6 +52,11 @@ impl Run {
         Self::of(self.first(usize::MAX), self.steps, holds)
     }
 
+    /// The same record, integrated as another one is.
+    pub(super) fn as_in(&self, other: &Self) -> Self {
+        Self::of(self.first(usize::MAX), other.steps, other.holds)
+    }
+
     fn of(record: Record, steps: usize, holds: bool) -> Self {
         let mut steps = steps;
         while steps > FEWEST_STEPS && 2 * steps * record.input.len() > MOST_VALUES {

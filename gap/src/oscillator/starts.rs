@@ -1,4 +1,7 @@
-//! Where the fit of a term begins.
+//! Where the fit of the oscillator, and of a term, begins.
+//!
+//! Gain, zero and state of a linear oscillator follow from the record once its resonance and damping are given: that of
+//! the rig, or any where the rig states none.
 //!
 //! A term near the fit of the others begins with the most promising of some values. A spring that is
 //! bent so far that the linear fit is no neighbour of it begins far away: what a wrong spring does
@@ -12,9 +15,9 @@ use super::parameters::{LINEAR, OscillatorParameters, Parameter, bound};
 use super::run::Run;
 use super::simulate::simulate;
 use crate::estimation::column::{Column, OneBlock, dot};
-use crate::estimation::tangent::{RIDGE, Tangent};
+use crate::estimation::tangent::{Equations, RIDGE, Tangent};
 use crate::thresholds;
-use nalgebra::{Cholesky, DMatrix, DVector};
+use nalgebra::DVector;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
@@ -88,28 +91,34 @@ fn driven(record: &Run, w0: f64, delta: f64) -> Option<(f64, OscillatorParameter
     values[LnResonance] = w0.ln();
     values[Delta] = delta;
     let unit = scale_of(record);
-    let input = rms(&record.input);
-    let mut parts = vec![(Offset, unit), (Displacement, unit), (Velocity, unit)];
-    if input > 0.0 {
-        parts.push((Gain, unit / input));
-    }
+    let gain = match rms(&record.input) {
+        0.0 => 0.0,
+        input => unit / input,
+    };
+    let parts = [
+        (Offset, unit),
+        (Displacement, unit),
+        (Velocity, unit),
+        (Gain, gain),
+    ];
     let column = |(parameter, size): &(Parameter, f64)| {
         let mut alone = values;
         alone[*parameter] = *size;
-        Some(compared(&simulate(&alone, record)?, record).to_vec())
+        let simulated = simulate(&alone, record)?;
+        Some(Column::of_one_block(compared(&simulated, record).to_vec()))
     };
-    let columns: Vec<Vec<f64>> = parts.iter().map(column).collect::<Option<_>>()?;
+    let columns: Vec<Column<()>> = parts.iter().map(column).collect::<Option<_>>()?;
     let measured = compared(&record.output, record);
-    let matrix = DMatrix::from_fn(parts.len(), parts.len(), |i, j| {
-        let ridge = if i == j { 1.0 + RIDGE } else { 1.0 };
-        ridge * dot(&columns[i], &columns[j])
-    });
-    let products = DVector::from_fn(parts.len(), |i, _| dot(&columns[i], measured));
-    let sizes = Cholesky::new(matrix)?.solve(&products);
+    let block = OneBlock(measured.len());
+    let equations = Equations::new(&block, &columns, &[], measured, &[]);
+    let sizes = equations.step(0.0)?;
     for ((parameter, size), share) in parts.iter().zip(sizes.iter()) {
         values[*parameter] = size * share;
     }
-    Some((dot(measured, measured) - sizes.dot(&products), values))
+    Some((
+        dot(measured, measured) - sizes.dot(&equations.gradient),
+        values,
+    ))
 }
 
 /// Whether a fit describes most of the output.

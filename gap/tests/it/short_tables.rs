@@ -13,19 +13,13 @@ type Response = Box<dyn Fn(f64) -> Complex64>;
 const U_RATIO: f64 = 0.01;
 const U_PHASE_DEG: f64 = 1.0;
 
-/// Answer to a sweep in equal steps of the logarithm, with noise of `factor` times the stated uncertainty.
-fn answer(
-    response: &Response,
-    hz: [f64; 2],
-    rows: usize,
-    phase: bool,
-    factor: f64,
-    seed: u64,
-) -> Answer {
+/// Answer to a sweep in equal steps of the logarithm, with the noise that is stated.
+fn answer(response: &Response, hz: [f64; 2], rows: usize, phase: bool, seed: u64) -> Answer {
     let sweep = (0..rows).map(|at| hz[0] * (hz[1] / hz[0]).powf(at as f64 / (rows - 1) as f64));
-    answer_at(response, &sweep.collect::<Vec<f64>>(), phase, factor, seed)
+    answer_at(response, &sweep.collect::<Vec<f64>>(), phase, 1.0, seed)
 }
 
+/// The same at any frequencies, with noise of `factor` times the stated uncertainty.
 fn answer_at(response: &Response, hz: &[f64], phase: bool, factor: f64, seed: u64) -> Answer {
     let mut random = Random::new(seed);
     let mut table = String::from("frequency_hz,ratio,u_ratio");
@@ -85,7 +79,7 @@ fn what_the_library_lacks_is_not_taken_for_noise() {
         (5, 30, true),
     ] {
         for response in [echo(1.1e-3, 0.4), echo(2.3e-4, 0.3), notch(375.0)] {
-            let answer = answer(&response, [40.0, 4e3], rows, phase, 1.0, seed);
+            let answer = answer(&response, [40.0, 4e3], rows, phase, seed);
             let claims = matches!(
                 answer.verdict,
                 Verdict::Data | Verdict::NoGap | Verdict::Explained
@@ -121,7 +115,7 @@ fn loaded_stages_are_one_filter_of_second_order() {
             let q = hz / 700.0;
             1.0 / Complex64::new(1.0 - q * q, 3.0 * q)
         });
-        let answer = answer(&response, [35.0, 7e3], rows, phase, 1.0, seed);
+        let answer = answer(&response, [35.0, 7e3], rows, phase, seed);
         assert_eq!(
             leading(&answer),
             ["dut_lowpass_2"],
@@ -141,7 +135,7 @@ fn a_servo_accelerometer_has_a_filter_of_quality_1_2() {
         1.0 / Complex64::new(1.0 - q * q, q / 1.2)
     });
     for seed in [1, 2, 3] {
-        let answer = answer(&response, [3.0, 400.0], 30, true, 1.0, seed);
+        let answer = answer(&response, [3.0, 400.0], 30, true, seed);
         assert_eq!(
             leading(&answer),
             ["dut_lowpass_2"],
@@ -164,7 +158,7 @@ fn a_short_table_is_scored_with_what_it_names() {
     let response: Response =
         Box::new(move |hz| Complex64::new(0.0, hz / 40.0) / high(hz) / low(hz));
     for seed in [1, 2, 3] {
-        let answer = answer(&response, [9.0, 27e3], 8, true, 1.0, seed);
+        let answer = answer(&response, [9.0, 27e3], 8, true, seed);
         let mut names = leading(&answer).to_vec();
         names.sort_unstable();
         assert_eq!(
