@@ -12,6 +12,7 @@ use crate::dataset::{Dataset, Rig};
 use crate::estimation::gap::Gap;
 use crate::estimation::verdict::stands;
 use crate::thresholds;
+use std::cell::RefCell;
 
 /// Where the score comes from, with the rig as it is stated there.
 pub(super) enum Unseen<'a> {
@@ -26,6 +27,8 @@ pub(super) struct Part {
     training: Problem,
     testing: Problem,
     found: Search,
+    /// Sets that the search did not try, fitted since.
+    since: RefCell<Vec<Fit>>,
 }
 
 impl<'a> Unseen<'a> {
@@ -46,6 +49,7 @@ impl<'a> Unseen<'a> {
                 found: search(&training, limits),
                 training,
                 testing,
+                since: RefCell::default(),
             };
             Self::Rows(Box::new(part), &dataset.rig)
         })
@@ -96,10 +100,12 @@ impl<'a> Unseen<'a> {
     /// Whether a set leaves noise, and each of its effects many times what noise is where it alone is left out: on
     /// unseen rows, too much for a correction of the others' form.
     pub(super) fn needs_each(&self, problem: &Problem, fit: &Fit) -> bool {
+        if !problem.is_noise(fit.objective) {
+            return false;
+        }
         let needed = thresholds::NO_CORRECTION * self.misfit(problem, fit).abs();
         let mut each = 0..fit.effects.len();
-        problem.is_noise(fit.objective)
-            && each.all(|at| self.misfit_without(problem, fit, at) > needed)
+        each.all(|at| self.misfit_without(problem, fit, at) > needed)
     }
 
     /// What a set leaves of the unseen rows without one of its effects, the others kept as they are.
@@ -165,17 +171,22 @@ impl<'a> Unseen<'a> {
 impl Part {
     /// A set as it is fitted to the rows that take part.
     fn fitted(&self, problem: &Problem, fit: &Fit) -> Fit {
-        let names = fit.names();
-        let same = self.found.every.iter().filter(|f| f.names() == names);
-        let best = same.min_by(|a, b| a.objective.total_cmp(&b.objective));
         if fit.effects.is_empty() {
             return self.found.nominal.clone();
         }
-        best.cloned().unwrap_or_else(|| {
-            let theta = self.training.translate(problem, &fit.theta);
-            let mut work = Workspace::new(&self.training);
-            refine(&self.training, fit.effects.clone(), theta, FULL, &mut work)
-        })
+        let names = fit.names();
+        let mut since = self.since.borrow_mut();
+        let same = self.found.every.iter().chain(since.iter());
+        let same = same.filter(|f| f.names() == names);
+        let best = same.min_by(|a, b| a.objective.total_cmp(&b.objective));
+        if let Some(best) = best {
+            return best.clone();
+        }
+        let theta = self.training.translate(problem, &fit.theta);
+        let mut work = Workspace::new(&self.training);
+        let fitted = refine(&self.training, fit.effects.clone(), theta, FULL, &mut work);
+        since.push(fitted.clone());
+        fitted
     }
 
     /// Scores what was chosen on the others; nothing where there is no gap. The set that leads on all rows where
