@@ -36,7 +36,7 @@ pub(crate) const BUMP_P_VALUE: f64 = 0.01;
 
 /// Share of what a set leaves beyond noise from which an effect beside it is a cause and no correction. Corrections
 /// of withheld causes that came to be tried had 0.006 to 0.023.
-pub(crate) const CAUSE_SHARE: f64 = 0.1;
+pub(crate) const CAUSE_SHARE: f64 = 0.05;
 /// What unseen rows leave without one effect of a larger set, over what they leave with it, from which that effect is
 /// no correction of another form: of two sealed sets whose third effect was struck for it, 60 and 170.
 pub(crate) const NO_CORRECTION: f64 = 10.0;
@@ -140,9 +140,6 @@ pub(crate) const SEEDED: f64 = 60.0;
 pub(crate) const OUT_OF_REACH: f64 = 60.0;
 /// [`OUT_OF_REACH`] as a share of the best set's gain, as long as that leaves more than noise.
 pub(crate) const REACH_SHARE: f64 = 0.02;
-/// Gain of a round of direct search below which it ends: a tenth of what one standard deviation
-/// changes.
-pub(crate) const POLISHED: f64 = 0.1;
 
 // What is noise, and what is stretched?
 
@@ -316,9 +313,10 @@ pub(crate) const INTERPOLATED: f64 = 1e-6;
 pub(crate) const POOR: f64 = 0.03;
 /// Size of a first stretch over that of the whole record below which it says nothing.
 pub(crate) const QUIET: f64 = 0.1;
-/// Gain of -2 ln likelihood below which a fit stops, over the number of samples of a record, and over what is
-/// left of points.
+/// Gain of -2 ln likelihood below which a fit of a record stops, over the number of samples.
 pub(crate) const STEP_WORTH: f64 = 1e-6;
+/// The same of points, over what is left beyond noise: nothing shows it there.
+pub(crate) const STEP_SHARE: f64 = 1e-4;
 /// Damping of a second mode where a fit starts. x0.5: 1 of 11 records changes.
 pub(crate) const MODE_DAMPING: f64 = 0.05;
 /// Times a record is longer than the memory of a high-pass from which what it held back before is

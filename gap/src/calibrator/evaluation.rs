@@ -17,6 +17,11 @@ pub(crate) struct Evaluation {
 }
 
 impl Evaluation {
+    /// Logarithms of the variances, up to a constant.
+    pub(super) fn variance_ln(&self) -> Vec<f64> {
+        self.weight.iter().map(|w| -2.0 * w.ln()).collect()
+    }
+
     /// The residual with the weights of another evaluation.
     pub(super) fn residual_as_weighted_by(&self, other: &Self) -> Vec<f64> {
         let weights = self.weight.iter().zip(&other.weight);

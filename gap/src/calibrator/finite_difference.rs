@@ -10,18 +10,26 @@ use crate::observable::Observable;
 use crate::thresholds;
 use calib_effects::Scale;
 
-/// Slope against one parameter of one effect.
-pub(super) fn parameter_column(
+/// Slopes of data, and of the logarithm of their variance where an effect leaves part of it open.
+#[derive(Default)]
+pub(super) struct ParameterSlopes {
+    pub(super) data: Column,
+    pub(super) variance: Column,
+}
+
+/// Slopes against one parameter of one effect.
+pub(super) fn parameter_slopes(
     problem: &Problem,
     fit: &Fit,
     (at, index): (usize, usize),
     here: &Evaluation,
     work: &Workspace,
-) -> Column {
+) -> ParameterSlopes {
     let active = &fit.effects[at];
     let (value, step) = nudged(active, index);
     let mut there = active.clone();
     there.parameters[index] = value;
+    let mut variance = Column::default();
     let slope = if acts_alone(fit, at) {
         let mut change = response_change(problem, active, &there, &here.weight);
         change.scale(1.0 / step);
@@ -30,11 +38,17 @@ pub(super) fn parameter_column(
         let mut effects = fit.effects.clone();
         effects[at] = there;
         let there = problem.evaluate_aside(&effects, &fit.theta, &work.memory);
+        if here.weight != there.weight {
+            let logarithms = [here, &there].map(Evaluation::variance_ln);
+            let [here, there] = &logarithms;
+            variance = Column::difference(problem, here, there, 1.0 / step);
+        }
         column(problem, here, &there, step)
     };
     // What only rounding moves would be moved without bounds.
     let moves = slope.norm2() * step * step > thresholds::STANDS_STILL * thresholds::STANDS_STILL;
-    if moves { slope } else { Column::default() }
+    let data = if moves { slope } else { Column::default() };
+    ParameterSlopes { data, variance }
 }
 
 /// Whether an effect just multiplies responses, and no other one of the set makes harmonics.

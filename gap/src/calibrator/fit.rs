@@ -21,9 +21,16 @@ impl Fit {
         self.effects.iter().map(|e| e.parameters.len()).sum()
     }
 
-    /// Names of the effects in library order.
+    /// Names of the effects in the order in which they were found.
     pub(crate) fn names(&self) -> Vec<&'static str> {
         self.effects.iter().map(|e| e.effect.entry().id).collect()
+    }
+
+    /// Names of the effects, the same for the same set.
+    pub(crate) fn sorted_names(&self) -> Vec<&'static str> {
+        let mut names = self.names();
+        names.sort_unstable();
+        names
     }
 
     /// Whether a library entry takes part.

@@ -78,15 +78,19 @@ impl<'a> Found<'a> {
     ///
     /// It lacks a share of the best set's gain, and half of what that gains over the best set of one effect less: where
     /// one effect takes nearly all of a gap, every partner of it lacks less than a share of the whole.
-    pub(super) fn within_reach(&self, size: usize, nominal: f64) -> f64 {
+    ///
+    /// A set without an effect that scatters competes with its like alone where the best set leaves more than noise.
+    pub(super) fn within_reach(&self, size: usize, nominal: f64, scatters: bool) -> f64 {
+        let all = self.leader(size);
+        if let Some(leader) = all.filter(|fit| self.is_noise(fit)) {
+            return leader.objective.min(nominal) + thresholds::OUT_OF_REACH;
+        }
         let leads = |size| {
-            let leader = self.leader(size);
-            leader.map_or(nominal, |f| f.objective.min(nominal))
+            let of_size = self.of_size(size);
+            let competing = of_size.filter(|fit| scatters || !self::scatters(fit));
+            competing.fold(nominal, |best, fit| fit.objective.min(best))
         };
         let best = leads(size);
-        if self.leader(size).is_some_and(|f| self.is_noise(f)) {
-            return best + thresholds::OUT_OF_REACH;
-        }
         let share = thresholds::REACH_SHARE * (nominal - best);
         let half = thresholds::HALF * (leads(size - 1) - best);
         best + thresholds::OUT_OF_REACH.max(share.min(half))
@@ -194,7 +198,7 @@ impl Plan {
     }
 
     /// Whether an effect of the set shows as noise.
-    fn scatters(&self) -> bool {
+    pub(super) fn scatters(&self) -> bool {
         let added = library()[self.predicted_gain.entry];
         added.scatters() || scatters(&self.base.fit)
     }
@@ -269,14 +273,23 @@ mod tests {
         let mut found = Found::new(&problem);
         found.keep(fit(&problem, 1, 8e4));
         // The first of its size is.
-        assert_eq!(found.within_reach(2, 1e9), 1e9 + 60.0);
+        assert_eq!(found.within_reach(2, 1e9, true), 1e9 + 60.0);
         found.keep(fit(&problem, 2, 2e4));
-        assert_eq!(found.within_reach(2, 1e9), 5e4);
+        assert_eq!(found.within_reach(2, 1e9, true), 5e4);
         // Of a small gap a share of the whole is less than that.
-        assert_eq!(found.within_reach(2, 1e5), 2e4 + 1600.0);
+        assert_eq!(found.within_reach(2, 1e5, true), 2e4 + 1600.0);
+        // One that scatters leaves what others left uncertain: it puts only its like out of reach.
+        let scatters = library().iter().position(|effect| effect.scatters());
+        let tone = Fit {
+            effects: vec![active(scatters.unwrap(), vec![1.0, 1.0])],
+            ..fit(&problem, 1, 1e3)
+        };
+        found.keep(tone);
+        let reach = [true, false].map(|scatters| found.within_reach(1, 1e9, scatters));
+        assert_eq!(reach, [1e3 + 0.02 * (1e9 - 1e3), 8e4 + 0.02 * (1e9 - 8e4)]);
         // Beside a set that leaves noise only little is within reach.
         found.keep(fit(&problem, 2, 10.0));
-        assert_eq!(found.within_reach(2, 1e9), 70.0);
+        assert_eq!(found.within_reach(2, 1e9, true), 70.0);
     }
 
     /// A third effect that promises 10 where a pair in the set leaves noise is what noise promises; 30 is not.

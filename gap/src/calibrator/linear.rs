@@ -2,7 +2,7 @@
 
 use super::closed_form::nuisance_columns;
 use super::evaluation::{Evaluation, Responses};
-use super::finite_difference::{bent_columns, parameter_column};
+use super::finite_difference::{bent_columns, parameter_slopes};
 use super::fit::{Fit, Workspace};
 use super::problem::{Column, Problem, Tangent};
 use crate::estimation::tangent::Equations;
@@ -13,6 +13,8 @@ pub(crate) struct Linearised {
     pub(crate) columns: Vec<Column>,
     pub(crate) prior: Vec<f64>,
     theta: Vec<f64>,
+    /// Slopes of the logarithms of the variances, and the parameter each is against.
+    variances: Vec<(usize, Column)>,
 }
 
 impl Linearised {
@@ -51,11 +53,18 @@ impl Linearised {
                 *column = earlier;
             }
         }
+        let mut variances = Vec::new();
         for (at, active) in fit.effects.iter().enumerate() {
             for index in 0..active.parameters.len() {
-                let column = earlier(columns.len());
-                let fresh = || parameter_column(problem, fit, (at, index), &evaluation, work);
-                columns.push(column.unwrap_or_else(fresh));
+                if let Some(column) = earlier(columns.len()) {
+                    columns.push(column);
+                    continue;
+                }
+                let slopes = parameter_slopes(problem, fit, (at, index), &evaluation, work);
+                if !slopes.variance.parts.is_empty() {
+                    variances.push((columns.len(), slopes.variance));
+                }
+                columns.push(slopes.data);
             }
         }
         let bounded = problem.free.iter().map(|f| f64::from(u8::from(f.bounded)));
@@ -66,13 +75,24 @@ impl Linearised {
             columns,
             prior,
             theta: fit.theta.clone(),
+            variances,
         }
     }
 
     /// The normal equations of the next step.
     pub(super) fn equations(&self, problem: &Problem) -> Equations {
         let residual = &self.evaluation.residual;
-        Equations::new(problem, &self.columns, &self.prior, residual, &self.theta)
+        let mut equations =
+            Equations::new(problem, &self.columns, &self.prior, residual, &self.theta);
+        // A variance is too small by as much as the square of its deviate is above one: scoring after Fisher.
+        let excess: Vec<f64> = residual.iter().map(|r| r * r - 1.0).collect();
+        for (at, variance) in &self.variances {
+            equations.gradient[*at] += 0.5 * variance.dot_data(problem, &excess);
+            for (other, beside) in &self.variances {
+                equations.matrix[(*at, *other)] += 0.5 * variance.dot(beside);
+            }
+        }
+        equations
     }
 
     /// The slopes against nuisances and parameters.
@@ -153,5 +173,55 @@ impl Slopes {
             }
         }
         Some(column)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::example::{measured, named};
+    use super::*;
+    use crate::dataset::Quantity;
+
+    /// A tone beside the block leaves variances open, and moves nothing else: without them the gradient against
+    /// its size and its frequency would be zero.
+    #[test]
+    fn the_gradient_is_that_of_the_objective_where_variances_are_open() {
+        let (mut rig, mut points) = measured(&[]);
+        rig.digitiser.sample_rate_hz = Some(50_000.0);
+        rig.digitiser.block_samples = Some(10_000.0);
+        rig.digitiser.noise_v = Some(Quantity {
+            value: 1e-5,
+            u: 1e-7,
+        });
+        for (at, point) in points.iter_mut().enumerate() {
+            // Scatter of the drive that the tone has to account for.
+            let scatter = 2e-3 * (3.7 * at as f64).sin();
+            point.ref_v = point.ref_v.map(|v| v * scatter.exp());
+        }
+        let problem = Problem::new(&rig, &points);
+        let mut work = Workspace::new(&problem);
+        let mut fit = Fit {
+            effects: vec![named("ambient_vibration", 2, &[0.03, 0.02, 12.0])],
+            theta: vec![0.0; problem.free.len()],
+            objective: 0.0,
+        };
+        let gradient = Linearised::new(&problem, &fit, &mut work)
+            .equations(&problem)
+            .gradient;
+        for index in 1..3 {
+            let value = fit.effects[0].parameters[index];
+            let mut objective = |step: f64| {
+                fit.effects[0].parameters[index] = value * step.exp();
+                let there = problem.evaluate(&fit.effects, &fit.theta, &mut work.memory);
+                there.objective
+            };
+            let expected = -(objective(1e-4) - objective(-1e-4)) / 4e-4;
+            fit.effects[0].parameters[index] = value;
+            let found = gradient[problem.free.len() + index];
+            assert!(
+                (found - expected).abs() < 0.02 * expected.abs(),
+                "{index}: {found} {expected}"
+            );
+        }
     }
 }

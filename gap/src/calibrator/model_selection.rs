@@ -42,11 +42,11 @@ pub(super) fn score(
     sets.sort_by(|a, b| a.score.total_cmp(&b.score));
     let mut kept: Vec<Scored> = Vec::new();
     for set in sets {
-        let names = sorted(set.fit.names());
+        let names = set.fit.sorted_names();
         // Occam's window: a set is not considered beside a better one made of part of it.
         // (No effect at all is part of every set: a gap too faint to be claimed has possible causes.)
         if !kept.iter().any(|k| {
-            let part = sorted(k.fit.names());
+            let part = k.fit.sorted_names();
             part.iter().all(|n| names.contains(n)) && (!part.is_empty() || names.is_empty())
         }) {
             kept.push(set);
@@ -65,11 +65,6 @@ fn possible_names(problem: &Problem, allowed: &[bool]) -> usize {
     let mut names: Vec<&str> = possible.map(|(e, _)| e.entry().id).collect();
     names.dedup();
     names.len()
-}
-
-fn sorted(mut names: Vec<&'static str>) -> Vec<&'static str> {
-    names.sort_unstable();
-    names
 }
 
 /// Probabilities among the sets.

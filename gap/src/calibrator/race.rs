@@ -15,7 +15,8 @@ pub(super) fn race(
     found: &mut Found<'_>,
     work: &mut Workspace,
 ) {
-    let within = found.within_reach(plan.base.fit.effects.len() + 1, nominal);
+    let size = plan.base.fit.effects.len() + 1;
+    let within = found.within_reach(size, nominal, plan.scatters());
     let glance = glance(problem, plan, work);
     if glance.objective >= within || glance.objective == f64::MAX {
         return found.keep(glance);

@@ -16,7 +16,7 @@ use nalgebra::DVector;
 pub(crate) const FULL: Effort = Effort {
     most_steps: 25,
     enough: 1e-2,
-    share: thresholds::STEP_WORTH,
+    share: thresholds::STEP_SHARE,
     small_steps: 2,
     damping: 1e-4,
     leap: 100.0,
@@ -56,22 +56,6 @@ pub(crate) fn refine_with(
     clamp(problem, &mut fit.effects);
     descend(problem, &mut fit, slopes, effort, work);
     unstretch(problem, &mut fit, effort, work);
-    if fit.effects.iter().any(|e| e.effect.opens()) {
-        // Slopes see the mean, the search sees the scatter: each moves the other's optimum.
-        let rounds = if effort.most_steps < FULL.most_steps {
-            1
-        } else {
-            3
-        };
-        for round in 0..rounds {
-            let before = fit.objective;
-            polish(problem, &mut fit, round, work);
-            descend(problem, &mut fit, None, effort, work);
-            if before - fit.objective < thresholds::POLISHED {
-                break;
-            }
-        }
-    }
     fit
 }
 
@@ -169,6 +153,10 @@ impl LeastSquares for Descent<'_> {
         at.fit.objective
     }
 
+    fn beyond_noise(&self, at: &Place) -> f64 {
+        (at.fit.objective - self.problem.len() as f64).max(0.0)
+    }
+
     fn equations(&mut self, at: &Place) -> Option<Equations> {
         let lagging = match self.taken {
             0 => self.first,
@@ -256,43 +244,6 @@ fn pressed(problem: &Problem, fit: &Fit, gradient: &DVector<f64>) -> Vec<usize> 
         (value <= lowest && gradient[*at] < 0.0) || (value >= highest && gradient[*at] > 0.0)
     });
     outwards.map(|(at, _)| at).collect()
-}
-
-/// Direct search over the parameters of effects that act on scatter, which slopes do not see.
-fn polish(problem: &Problem, fit: &mut Fit, round: usize, work: &mut Workspace) {
-    let mut size = 0.4_f64.powi(round as i32 + 1);
-    for _ in 0..3 {
-        for at in 0..fit.effects.len() {
-            if !fit.effects[at].effect.opens() {
-                continue;
-            }
-            for index in 0..fit.effects[at].parameters.len() {
-                for direction in [1.0_f64, -1.0] {
-                    let mut trial = fit.clone();
-                    let parameter = trial.effects[at].effect.parameters()[index];
-                    let value = &mut trial.effects[at].parameters[index];
-                    match parameter.scale {
-                        Scale::Log => *value *= (direction * size).exp(),
-                        Scale::Linear => {
-                            *value += direction
-                                * size
-                                * 0.3
-                                * (parameter.upper - parameter.lower).min(3.0)
-                        }
-                    }
-                    clamp(problem, &mut trial.effects);
-                    trial.objective = problem
-                        .evaluate(&trial.effects, &trial.theta, &mut work.memory)
-                        .objective;
-                    if trial.objective < fit.objective {
-                        *fit = trial;
-                        break;
-                    }
-                }
-            }
-        }
-        size *= 0.4;
-    }
 }
 
 #[cfg(test)]

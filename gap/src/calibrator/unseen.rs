@@ -11,6 +11,7 @@ use crate::answer::Verdict;
 use crate::dataset::{Dataset, Rig};
 use crate::estimation::gap::Gap;
 use crate::estimation::verdict::stands;
+use crate::observable::Observable;
 use crate::thresholds;
 use std::cell::RefCell;
 
@@ -93,8 +94,24 @@ impl<'a> Unseen<'a> {
             let without = partners.map(|at| self.misfit_without(problem, fit, at));
             let clean = problem.is_noise(fit.objective);
             stands(self.misfit(problem, fit), plain, without, clean)
+                && (clean || self.scatter_is_seen(problem, fit))
         };
         found.strike(stands);
+    }
+
+    /// Whether the noise of the unseen rows shows each effect of a set that only scatters. To leave uncertain what a
+    /// set does not describe is no evidence.
+    fn scatter_is_seen(&self, problem: &Problem, fit: &Fit) -> bool {
+        let of_noise = |fit: &Fit| self.misfit_of(problem, fit, Observable::is_noise);
+        let here = of_noise(fit);
+        let mut effects = fit.effects.iter().enumerate();
+        effects.all(|(at, active)| {
+            !active.effect.scatters() || {
+                let mut less = fit.clone();
+                less.effects.remove(at);
+                here + thresholds::PARTNER_HELPS < of_noise(&less)
+            }
+        })
     }
 
     /// Whether a set leaves noise, and each of its effects many times what noise is where it alone is left out: on
@@ -129,14 +146,23 @@ impl<'a> Unseen<'a> {
     /// -2 ln likelihood of the unseen rows by a set that was fitted to the others, and of the nominal
     /// values it takes: where they may go as far as they like, they stand in for an effect in any row.
     fn misfit(&self, problem: &Problem, fit: &Fit) -> f64 {
+        self.misfit_of(problem, fit, |_| true)
+    }
+
+    /// The same of some observables.
+    fn misfit_of(&self, problem: &Problem, fit: &Fit, counts: impl Fn(Observable) -> bool) -> f64 {
         let (testing, from, fit) = match self {
             Self::Other(other, _) => (&**other, problem, fit.clone()),
             Self::Rows(part, _) => (&part.testing, &part.training, part.fitted(problem, fit)),
         };
         let theta = testing.translate(from, &fit.theta);
         let at = testing.evaluate(&fit.effects, &theta, &mut testing.memory());
-        let data = at.residual.iter().zip(&at.weight).enumerate();
-        let data = data.map(|(datum, (r, w))| r * r - 2.0 * (w * testing.uncertainty(datum)).ln());
+        let counted = testing.measured_observables();
+        let counted = counted.filter(|(observable, _)| counts(*observable));
+        let data = counted.flat_map(|(_, data)| data).map(|datum| {
+            let (r, w) = (at.residual[datum], at.weight[datum]);
+            r * r - 2.0 * (w * testing.uncertainty(datum)).ln()
+        });
         let stated = from.free.iter().zip(&fit.theta).filter(|(f, _)| f.bounded);
         data.sum::<f64>() + stated.map(|(_, value)| value * value).sum::<f64>()
     }
@@ -174,10 +200,10 @@ impl Part {
         if fit.effects.is_empty() {
             return self.found.nominal.clone();
         }
-        let names = fit.names();
+        let names = fit.sorted_names();
         let mut since = self.since.borrow_mut();
         let same = self.found.every.iter().chain(since.iter());
-        let same = same.filter(|f| f.names() == names);
+        let same = same.filter(|f| f.sorted_names() == names);
         let best = same.min_by(|a, b| a.objective.total_cmp(&b.objective));
         if let Some(best) = best {
             return best.clone();
@@ -196,7 +222,7 @@ impl Part {
         let leads = self.found.sets.first().map(|set| &set.fit);
         let listed = |fit: &&Fit| {
             let mut sets = found.sets.iter();
-            sets.any(|set| set.fit.names() == fit.names())
+            sets.any(|set| set.fit.sorted_names() == fit.sorted_names())
         };
         let chosen = match (verdict, leads.filter(listed)) {
             (Verdict::NoGap | Verdict::Data, _) => nominal.clone(),

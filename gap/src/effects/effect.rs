@@ -112,11 +112,6 @@ pub(crate) trait Effect: Sync {
         false
     }
 
-    /// Whether the effect leaves part of the scatter open, which slopes do not see.
-    fn opens(&self) -> bool {
-        self.scatters()
-    }
-
     /// Whether the effect works by noise and scatter, not by a response.
     fn scatters(&self) -> bool {
         self.entry().only_scatters

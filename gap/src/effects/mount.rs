@@ -113,9 +113,6 @@ impl Effect for LooseMount {
     fn distorts(&self) -> bool {
         true
     }
-    fn opens(&self) -> bool {
-        true
-    }
     fn applies(&self, facts: &Facts) -> bool {
         facts.level_known
             && (facts.ratio || facts.dut_harmonics)

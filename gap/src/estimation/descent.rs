@@ -11,6 +11,16 @@ pub(crate) trait LeastSquares {
     /// -2 ln of the posterior density, up to a constant.
     fn objective(&self, at: &Self::State) -> f64;
 
+    /// Part of it that noise does not leave.
+    fn beyond_noise(&self, at: &Self::State) -> f64 {
+        self.objective(at)
+    }
+
+    /// Gain of the objective where so much is taken of the sum of squares.
+    fn gain(&self, _at: &Self::State, square: f64) -> f64 {
+        square
+    }
+
     /// Normal equations of the next step; none where the model has no slopes.
     fn equations(&mut self, at: &Self::State) -> Option<Equations>;
 
@@ -25,7 +35,7 @@ pub(crate) struct Effort {
     pub(crate) most_steps: usize,
     /// Gain of the objective below which a step is small.
     pub(crate) enough: f64,
-    /// The same as a share of the objective: a gain that nothing shows beside what is left.
+    /// The same as a share of what noise does not leave: a gain that nothing shows beside it.
     pub(crate) share: f64,
     /// Small steps in a row that end the fit.
     pub(crate) small_steps: usize,
@@ -37,8 +47,8 @@ pub(crate) struct Effort {
 
 /// Damping from which the factor after a step that did not help is ten.
 const DAMPED: f64 = 1e-2;
-/// Least damping, and that beyond which no step helps.
-const BOUNDS: (f64, f64) = (1e-9, 1e6);
+/// Least damping.
+const LEAST: f64 = 1e-9;
 
 /// Damped steps until the objective stands still: the last state, and the last equations on
 /// the way. None where the start has no slopes.
@@ -47,7 +57,6 @@ pub(crate) fn descend<M: LeastSquares>(
     start: M::State,
     effort: Effort,
 ) -> Option<(M::State, Equations)> {
-    let (least, most) = BOUNDS;
     let (mut here, mut damping) = (start, effort.damping);
     let mut equations = model.equations(&here)?;
     let mut small = 0;
@@ -57,20 +66,22 @@ pub(crate) fn descend<M: LeastSquares>(
             continue;
         };
         let before = model.objective(&here);
+        let worth = effort.enough.max(effort.share * model.beyond_noise(&here));
+        let promised = model.gain(&here, equations.predicted(&step));
         let there = model.moved(&here, &step);
         match there.filter(|there| model.objective(there) < before) {
             Some(there) => {
                 let gain = before - model.objective(&there);
                 here = there;
-                damping = (damping * 0.1).max(least);
-                let is_small = gain < effort.enough.max(effort.share * before);
-                small = if is_small { small + 1 } else { 0 };
+                damping = (damping * 0.1).max(LEAST);
+                small = if gain < worth { small + 1 } else { 0 };
                 if small == effort.small_steps {
                     break;
                 }
                 equations = model.equations(&here)?;
             }
-            None if damping > most => break,
+            // More damping promises less still.
+            None if promised < worth => break,
             None if damping < DAMPED => damping *= effort.leap,
             None => damping *= 10.0,
         }
@@ -87,6 +98,7 @@ mod tests {
     struct Decay {
         times: Vec<f64>,
         measured: Vec<f64>,
+        steps_tried: usize,
     }
 
     impl Decay {
@@ -111,6 +123,7 @@ mod tests {
         }
 
         fn moved(&mut self, rate: &f64, step: &DVector<f64>) -> Option<f64> {
+            self.steps_tried += 1;
             Some((rate + step[0]).clamp(0.0, 4.0))
         }
     }
@@ -120,24 +133,46 @@ mod tests {
         Decay {
             measured: times.iter().map(|t| (-rate * t).exp()).collect(),
             times,
+            steps_tried: 0,
         }
     }
+
+    const EFFORT: Effort = Effort {
+        most_steps: 40,
+        enough: 1e-20,
+        share: 0.0,
+        small_steps: 2,
+        damping: 1e-4,
+        leap: 100.0,
+    };
 
     /// Data without noise have the rate they were made with; outside of its bounds the nearest one
     /// describes them best.
     #[test]
     fn a_rate_is_found_within_its_bounds() {
-        let effort = Effort {
-            most_steps: 40,
-            enough: 1e-20,
-            share: 0.0,
-            small_steps: 2,
-            damping: 1e-4,
-            leap: 100.0,
-        };
         for (rate, expected) in [(1.5, 1.5), (5.0, 4.0)] {
-            let found = descend(&mut decay(rate), 0.1, effort).expect("it has slopes");
+            let found = descend(&mut decay(rate), 0.1, EFFORT).expect("it has slopes");
             assert!((found.0 - expected).abs() < 1e-8, "{rate}: {}", found.0);
         }
+    }
+
+    /// Where the best rate is known to its last digit no step helps, and none promises anything: eleven were tried
+    /// with ever more damping.
+    #[test]
+    fn where_no_step_promises_anything_none_is_damped() {
+        let mut decay = decay(1.5);
+        let disturbed = decay.measured.iter_mut().enumerate();
+        disturbed.for_each(|(n, m)| *m += 0.1 * ((n % 3) as f64).sin());
+        let mut rate = 1.5;
+        for _ in 0..5 {
+            (rate, _) = descend(&mut decay, rate, EFFORT).expect("it has slopes");
+        }
+        decay.steps_tried = 0;
+        let enough = Effort {
+            enough: 1e-9,
+            ..EFFORT
+        };
+        descend(&mut decay, rate, enough).expect("it has slopes");
+        assert!(decay.steps_tried <= 2, "{}", decay.steps_tried);
     }
 }

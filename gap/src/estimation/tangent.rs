@@ -56,6 +56,11 @@ impl Equations {
         Some(Cholesky::new(damped)?.solve(&self.gradient))
     }
 
+    /// Decrease of the sum of squares that a step promises, as if the model were linear.
+    pub(crate) fn predicted(&self, step: &DVector<f64>) -> f64 {
+        2.0 * self.gradient.dot(step) - step.dot(&(&self.matrix * step))
+    }
+
     /// Covariance matrix of the parameters for data of unit variance.
     pub(crate) fn covariance(&self) -> Option<DMatrix<f64>> {
         Some(Cholesky::new(self.matrix.clone())?.inverse())

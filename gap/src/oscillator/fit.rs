@@ -136,6 +136,11 @@ impl LeastSquares for Model<'_> {
         at.left.len() as f64 * at.square().max(f64::MIN_POSITIVE).ln()
     }
 
+    fn gain(&self, at: &Place, square: f64) -> f64 {
+        let left = 1.0 - square / at.square().max(f64::MIN_POSITIVE);
+        -(at.left.len() as f64) * left.max(f64::MIN_POSITIVE).ln()
+    }
+
     fn equations(&mut self, at: &Place) -> Option<Equations> {
         let columns = columns(self.record, &at.values, &at.left, self.free, &self.samples)?;
         let block = OneBlock(at.left.len());
