@@ -11,7 +11,6 @@ use crate::thresholds;
 use calib_effects::Scale;
 
 /// Slopes of data, and of the logarithm of their variance where an effect leaves part of it open.
-#[derive(Default)]
 pub(super) struct ParameterSlopes {
     pub(super) data: Column,
     pub(super) variance: Column,
