@@ -106,11 +106,8 @@ impl<'a> Unseen<'a> {
         let here = of_noise(fit);
         let mut effects = fit.effects.iter().enumerate();
         effects.all(|(at, active)| {
-            !active.effect.scatters() || {
-                let mut less = fit.clone();
-                less.effects.remove(at);
-                here + thresholds::PARTNER_HELPS < of_noise(&less)
-            }
+            !active.effect.scatters()
+                || here + thresholds::PARTNER_HELPS < of_noise(&without(fit, at))
         })
     }
 
@@ -127,9 +124,7 @@ impl<'a> Unseen<'a> {
 
     /// What a set leaves of the unseen rows without one of its effects, the others kept as they are.
     fn misfit_without(&self, problem: &Problem, fit: &Fit, at: usize) -> f64 {
-        let mut less = fit.clone();
-        less.effects.remove(at);
-        self.misfit(problem, &less)
+        self.misfit(problem, &without(fit, at))
     }
 
     /// The gap with one set, fitted to the others.
@@ -236,6 +231,13 @@ impl Part {
         };
         score_on(&self.training, &self.testing, nominal, &chosen)
     }
+}
+
+/// A set without one of its effects, the others as they are.
+fn without(fit: &Fit, at: usize) -> Fit {
+    let mut less = fit.clone();
+    less.effects.remove(at);
+    less
 }
 
 /// Whether a set describes the rows better than another, both fitted to them, by more than one effect costs and those
