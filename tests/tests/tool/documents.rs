@@ -178,7 +178,7 @@ calib emulate --tcp 5025 --hold-button > emulator.log 2>&1 &
 listens
 printf 'frequency_hz\n160\n80\n' > pump.csv
 {{ calib sensors add --serial LW1 --sensitivity 98 --unit mV/g
-calib settings > settings.toml; sed 's/= 0[.]01019/= 0.01018/' settings.toml > lower.toml
+calib settings > settings.toml; awk '/^sensitivity_v_per_ms2/ {{ $3 *= 0.999 }} 1' settings.toml > lower.toml
 measure() {{ for nth in $(seq $1); do calib run --sensor LW1 --points pump.csv; done; }}
 measure 2; calib settings --write lower.toml; measure 2; calib settings --write settings.toml; measure 2; }} > before.log 2>&1
 ",
