@@ -1,8 +1,9 @@
 //! A period of the motion as harmonics, and as values on a grid of time.
 
-use crate::estimation::column::dot;
 use num_complex::Complex64;
+use std::array::from_fn;
 use std::f64::consts::TAU;
+use std::sync::LazyLock;
 
 /// Highest harmonic of the balance.
 pub(crate) const ORDERS: usize = 15;
@@ -28,46 +29,85 @@ impl Parity {
     }
 }
 
-/// Points of the first quarter of the grid, both ends included, and zeros up to a multiple of four.
-const QUARTER: usize = 20;
+/// Points of the first quarter of the grid, both ends included.
+const QUARTER: usize = GRID / 4 + 1;
+/// Orders that are even, and as many that are odd.
+const HALF: usize = ORDERS.div_ceil(2);
+/// Points whose sums stay in registers, and how many times so many are a quarter.
+const CHUNK: usize = 6;
+const CHUNKS: usize = QUARTER.div_ceil(CHUNK);
 
-/// Cosine and sine of every order on the first quarter of the grid: the other
+/// Cosines or sines of the even or of the odd orders on the first quarter of the grid: the other
 /// quarters mirror it, with signs that depend on whether the order is even.
-struct Tables {
-    cos: [[f64; QUARTER]; ORDERS + 1],
-    sin: [[f64; QUARTER]; ORDERS + 1],
+struct Table {
+    /// By point, then order: an analysis sums over points.
+    by_point: [[f64; HALF]; QUARTER],
+    /// By chunk of points, then order: a synthesis sums over orders.
+    by_order: [[[f64; CHUNK]; HALF]; CHUNKS],
 }
 
-fn tables() -> &'static Tables {
-    static TABLES: std::sync::OnceLock<Tables> = std::sync::OnceLock::new();
-    TABLES.get_or_init(|| {
-        let angle = |n: usize, i: usize| TAU * ((n * i) % GRID) as f64 / GRID as f64;
-        let inside = |i: usize| f64::from(u8::from(i <= GRID / 4));
-        Tables {
-            cos: std::array::from_fn(|n| std::array::from_fn(|i| inside(i) * angle(n, i).cos())),
-            sin: std::array::from_fn(|n| std::array::from_fn(|i| inside(i) * angle(n, i).sin())),
+impl Table {
+    fn new(odd: usize, function: fn(f64) -> f64) -> Self {
+        let at = |half: usize, i: usize| {
+            let turns = ((2 * half + odd) * i) % GRID;
+            function(TAU * turns as f64 / GRID as f64)
+        };
+        let chunk = |c: usize, half: usize| from_fn(|i| at(half, c * CHUNK + i));
+        Self {
+            by_point: from_fn(|i| from_fn(|half| at(half, i))),
+            by_order: from_fn(|c| from_fn(|half| chunk(c, half))),
         }
-    })
+    }
+
+    /// Sum over the orders at each point of the quarter.
+    #[inline]
+    fn synthesized(&self, orders: &[f64; HALF]) -> [[f64; CHUNK]; CHUNKS] {
+        let mut points = [[0.0; CHUNK]; CHUNKS];
+        for (sums, table) in points.iter_mut().zip(&self.by_order) {
+            // By itself, so that it stays in registers.
+            let mut chunk = [0.0; CHUNK];
+            for (order, values) in orders.iter().zip(table) {
+                for i in 0..CHUNK {
+                    chunk[i] += order * values[i];
+                }
+            }
+            *sums = chunk;
+        }
+        points
+    }
+
+    /// Sum over the points for each order.
+    #[inline]
+    fn analysed(&self, points: &[f64; QUARTER]) -> [f64; HALF] {
+        let mut sums = [0.0; HALF];
+        for (point, values) in points.iter().zip(&self.by_point) {
+            for (sum, value) in sums.iter_mut().zip(values) {
+                *sum += point * value;
+            }
+        }
+        sums
+    }
 }
+
+/// Cosines and sines, of the even and of the odd orders.
+static TABLES: LazyLock<[[Table; 2]; 2]> =
+    LazyLock::new(|| from_fn(|odd| [Table::new(odd, f64::cos), Table::new(odd, f64::sin)]));
 
 /// Values on the grid of a sum of harmonics.
 pub(super) fn synthesize(orders: &Wave) -> [f64; GRID] {
-    let t = tables();
     // Cosine and sine part of the even and of the odd orders.
-    let mut part = [[[0.0; QUARTER]; 2]; 2];
-    for (n, c) in orders.iter().enumerate() {
-        if c.re == 0.0 && c.im == 0.0 {
-            continue;
-        }
-        let [cosine, sine] = &mut part[n % 2];
-        for i in 0..QUARTER {
-            cosine[i] += c.re * t.cos[n][i];
-            sine[i] -= c.im * t.sin[n][i];
+    let mut part = [[[[0.0; CHUNK]; CHUNKS]; 2]; 2];
+    for (odd, [cosine, sine]) in TABLES.iter().enumerate() {
+        let half: [Complex64; HALF] = from_fn(|k| orders[2 * k + odd]);
+        if half != [Complex64::ZERO; HALF] {
+            let (re, im) = (from_fn(|k| half[k].re), from_fn(|k| -half[k].im));
+            part[odd] = [cosine.synthesized(&re), sine.synthesized(&im)];
         }
     }
-    let [[even_c, even_s], [odd_c, odd_s]] = part;
+    let [even_c, even_s] = part[0].each_ref().map(|p| p.as_flattened());
+    let [odd_c, odd_s] = part[1].each_ref().map(|p| p.as_flattened());
     let mut out = [0.0; GRID];
-    for i in 0..=GRID / 4 {
+    for i in 0..QUARTER {
         out[i] = even_c[i] + even_s[i] + odd_c[i] + odd_s[i];
         out[GRID / 2 - i] = even_c[i] - even_s[i] - odd_c[i] + odd_s[i];
         out[GRID / 2 + i] = even_c[i] + even_s[i] - odd_c[i] - odd_s[i];
@@ -78,32 +118,28 @@ pub(super) fn synthesize(orders: &Wave) -> [f64; GRID] {
 
 /// Harmonics of the values on the grid.
 pub(super) fn analyse(signal: &[f64; GRID], parity: Parity) -> Wave {
-    let t = tables();
+    // Values of the four quarters by how cosine and sine of the even and of the odd orders mirror them.
     let mut folded = [[[0.0; QUARTER]; 2]; 2];
-    for i in 0..=GRID / 4 {
-        let four = [
-            signal[i],
-            signal[GRID / 2 - i],
-            signal[GRID / 2 + i],
-            signal[(GRID - i) % GRID],
-        ];
+    for i in 0..QUARTER {
         // The ends of the quarter belong to two of the four points each.
-        let share = if i == 0 || i == GRID / 4 { 0.5 } else { 1.0 };
-        let [a, b, c, d] = four.map(|v| share * v);
-        folded[0][0][i] = a + b + c + d;
-        folded[0][1][i] = a - b + c - d;
-        folded[1][0][i] = a - b - c + d;
-        folded[1][1][i] = a + b - c - d;
+        let share = if i == 0 || i == GRID / 4 { 1.0 } else { 2.0 } / GRID as f64;
+        let [a, b] = [signal[i], signal[GRID / 2 - i]];
+        let [c, d] = [signal[GRID / 2 + i], signal[(GRID - i) % GRID]];
+        folded[0][0][i] = share * (a + b + c + d);
+        folded[0][1][i] = share * (a - b + c - d);
+        folded[1][0][i] = share * (a - b - c + d);
+        folded[1][1][i] = share * (a + b - c - d);
     }
     let mut orders = [Complex64::ZERO; ORDERS + 1];
-    for n in parity.orders() {
-        let scale = if n == 0 { 1.0 } else { 2.0 } / GRID as f64;
-        let [cosine, sine] = &folded[n % 2];
-        orders[n] = Complex64::new(
-            scale * dot(cosine, &t.cos[n]),
-            -scale * dot(sine, &t.sin[n]),
-        );
+    for odd in usize::from(parity == Parity::Odd)..2 {
+        let ([cosine, sine], [even, uneven]) = (&TABLES[odd], &folded[odd]);
+        let parts = cosine.analysed(even).into_iter().zip(sine.analysed(uneven));
+        for (k, (re, im)) in parts.enumerate() {
+            orders[2 * k + odd] = Complex64::new(re, -im);
+        }
     }
+    // The mean is no half of two.
+    orders[0] *= 0.5;
     orders
 }
 
