@@ -84,12 +84,15 @@ impl Linearised {
         let residual = &self.evaluation.residual;
         let mut equations =
             Equations::new(problem, &self.columns, &self.prior, residual, &self.theta);
-        // A variance is too small by as much as the square of its deviate is above one: scoring after Fisher.
+        // A variance is too small by as much as the square of its deviate is above one. The curvature is the mean of
+        // the expected (Fisher) and the observed one, which bounds steps where a variance is many times too small.
         let excess: Vec<f64> = residual.iter().map(|r| r * r - 1.0).collect();
+        let curvature: Vec<f64> = excess.iter().map(|e| 1.0 + 0.5 * e).collect();
         for (at, variance) in &self.variances {
             equations.gradient[*at] += 0.5 * variance.dot_data(problem, &excess);
+            let curved = variance.weighted(problem, &curvature);
             for (other, beside) in &self.variances {
-                equations.matrix[(*at, *other)] += 0.5 * variance.dot(beside);
+                equations.matrix[(*at, *other)] += 0.5 * curved.dot(beside);
             }
         }
         equations

@@ -75,6 +75,18 @@ impl<B: Copy + PartialEq> Column<B> {
         self.parts.iter().map(|(_, a)| dot(a, a)).sum()
     }
 
+    /// The column with each value times that of a vector over all data.
+    pub(crate) fn weighted(&self, of: &impl Blocks<Block = B>, data: &[f64]) -> Self {
+        let of_block = |(block, values): &(B, Vec<f64>)| {
+            let weights = &data[of.data_of(*block)];
+            let products = values.iter().zip(weights).map(|(v, w)| v * w);
+            (*block, products.collect())
+        };
+        Self {
+            parts: self.parts.iter().map(of_block).collect(),
+        }
+    }
+
     /// Adds values in a block.
     pub(crate) fn add_part(&mut self, block: B, values: Vec<f64>) {
         match self.parts.iter_mut().find(|(s, _)| *s == block) {
