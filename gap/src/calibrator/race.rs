@@ -4,8 +4,9 @@ use super::candidate::{PredictedGain, active};
 use super::fit::{Fit, Workspace};
 use super::found::{Found, Plan};
 use super::problem::Problem;
-use super::refine::{FULL, GLANCE, moved, refine, refine_with};
+use super::refine::{FULL, moved, refine, refine_with};
 use crate::effects::{Active, library};
+use crate::estimation::descent::Effort;
 
 /// Refines a proposed set and keeps what it finds; `nominal` is the objective without effects.
 pub(super) fn race(
@@ -17,18 +18,12 @@ pub(super) fn race(
 ) {
     let size = plan.base.fit.effects.len() + 1;
     let within = found.within_reach(size, nominal, plan.scatters());
-    let glance = glance(problem, plan, work);
-    if glance.objective >= within || glance.objective == f64::MAX {
-        return found.keep(glance);
-    }
-    let (effects, theta) = (glance.effects.clone(), glance.theta.clone());
-    let further = refine(problem, effects, theta, FULL, work);
-    let better = further.objective < glance.objective;
-    found.keep(if better { further } else { glance });
+    let effort = Effort { within, ..FULL };
+    found.keep(refined(problem, plan, effort, work));
 }
 
-/// A few steps of a set.
-fn glance(problem: &Problem, plan: &Plan, work: &mut Workspace) -> Fit {
+/// The set from where the screening expects it.
+fn refined(problem: &Problem, plan: &Plan, effort: Effort, work: &mut Workspace) -> Fit {
     let predicted_gain = &plan.predicted_gain;
     let base = shifted(problem, &plan.base.fit, predicted_gain, work);
     let effect = library()[predicted_gain.entry];
@@ -40,23 +35,29 @@ fn glance(problem: &Problem, plan: &Plan, work: &mut Workspace) -> Fit {
         predicted_gain.parameters.clone(),
     );
     let theta = base.theta.clone();
-    let fit = refine_with(problem, effects, theta, slopes, GLANCE, work);
+    let fit = refine_with(problem, effects, theta, slopes, effort, work);
     if effect.bends() && base.effects.is_empty() {
-        of_other_size(problem, predicted_gain.entry, fit, work)
+        of_other_size(problem, predicted_gain.entry, fit, effort, work)
     } else {
         fit
     }
 }
 
 /// The screening of a bent exciter is linear in its size: tries the other sizes too.
-fn of_other_size(problem: &Problem, entry: usize, mut fit: Fit, work: &mut Workspace) -> Fit {
+fn of_other_size(
+    problem: &Problem,
+    entry: usize,
+    mut fit: Fit,
+    effort: Effort,
+    work: &mut Workspace,
+) -> Fit {
     let starts = library()[entry].starts(&problem.facts);
     for start in starts.into_iter().skip(1) {
         let other = vec![active(entry, start.members[0].clone())];
         let there = problem.evaluate(&other, &fit.theta, &mut work.memory);
         if there.objective < fit.objective {
             let theta = fit.theta.clone();
-            let again = refine(problem, other, theta, GLANCE, work);
+            let again = refine(problem, other, theta, effort, work);
             if again.objective < fit.objective {
                 fit = again;
             }

@@ -15,19 +15,13 @@ use nalgebra::DVector;
 /// All the steps a set is worth.
 pub(crate) const FULL: Effort = Effort {
     most_steps: 25,
+    within: f64::INFINITY,
     enough: 1e-2,
     share: thresholds::STEP_SHARE,
     small_steps: 2,
     damping: 1e-4,
     leap: 100.0,
 };
-/// Enough to see whether a set is within reach of the best.
-pub(crate) const GLANCE: Effort = Effort {
-    most_steps: 5,
-    enough: 1.0,
-    ..FULL
-};
-
 /// Refines effects and nuisances from a start.
 pub(crate) fn refine(
     problem: &Problem,

@@ -33,6 +33,8 @@ pub(crate) trait LeastSquares {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Effort {
     pub(crate) most_steps: usize,
+    /// Objective that has to be reached in the first [`GLANCE`] steps.
+    pub(crate) within: f64,
     /// Gain of the objective below which a step is small.
     pub(crate) enough: f64,
     /// The same as a share of what noise does not leave: a gain that nothing shows beside it.
@@ -45,6 +47,8 @@ pub(crate) struct Effort {
     pub(crate) leap: f64,
 }
 
+/// Steps that are enough to see whether a fit is within reach.
+const GLANCE: usize = 5;
 /// Damping from which the factor after a step that did not help is ten.
 const DAMPED: f64 = 1e-2;
 /// Least damping.
@@ -60,7 +64,10 @@ pub(crate) fn descend<M: LeastSquares>(
     let (mut here, mut damping) = (start, effort.damping);
     let mut equations = model.equations(&here)?;
     let mut small = 0;
-    for _ in 0..effort.most_steps {
+    for taken in 0..effort.most_steps {
+        if taken == GLANCE && model.objective(&here) >= effort.within {
+            break;
+        }
         let Some(step) = equations.step(damping) else {
             damping *= 10.0;
             continue;
@@ -139,6 +146,7 @@ mod tests {
 
     const EFFORT: Effort = Effort {
         most_steps: 40,
+        within: f64::INFINITY,
         enough: 1e-20,
         share: 0.0,
         small_steps: 2,

@@ -89,6 +89,7 @@ pub(super) fn descend_from(
     };
     let start = model.place(start)?;
     let effort = Effort {
+        within: f64::INFINITY,
         most_steps,
         enough: thresholds::STEP_WORTH * start.left.len() as f64,
         share: 0.0,
