@@ -84,7 +84,7 @@ pub(crate) fn diagnose_points(
 ) -> Answer {
     let limits = Limits::of(options);
     // The part is searched before the whole: what it finds may guide the whole, not the other way.
-    let unseen = Unseen::new(dataset, problem, validate, &limits);
+    let unseen = Unseen::new(dataset, problem, validate, &limits, None);
     let stated = |summary| {
         let found = heard_search(problem, &limits, &unseen);
         Diagnosis::new(problem, &unseen, None, &found).answer(summary)
@@ -97,7 +97,8 @@ pub(crate) fn diagnose_points(
         true => limits.without_more(),
         false => limits.clone(),
     };
-    let again = Unseen::new(dataset, &quietened, validate, &limits_there);
+    let before = noise.is_of_size_only().then_some(&unseen);
+    let again = Unseen::new(dataset, &quietened, validate, &limits_there, before);
     let found = heard_search(&quietened, &limits_there, &again);
     // Rows that stand out beside a structure that stays belong to it.
     if noise.is_of_rows_only() && leaves_structure(&quietened, found.best()) {

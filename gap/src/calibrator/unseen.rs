@@ -6,7 +6,7 @@ use super::holdout::{score_on, split};
 use super::noise::Noise;
 use super::problem::Problem;
 use super::refine::{FULL, refine};
-use super::search::{Limits, Search, search};
+use super::search::{Limits, Search, search_from};
 use crate::answer::Verdict;
 use crate::dataset::{Dataset, Rig};
 use crate::estimation::gap::Gap;
@@ -33,12 +33,14 @@ pub(super) struct Part {
 }
 
 impl<'a> Unseen<'a> {
-    /// Points of `validate` if there are any, else a third of the rows.
+    /// Points of `validate` if there are any, else a third of the rows; the others are searched from what was found
+    /// there `before`, with other uncertainties.
     pub(super) fn new(
         dataset: &'a Dataset,
         problem: &Problem,
         validate: Option<&'a Dataset>,
         limits: &Limits,
+        before: Option<&Self>,
     ) -> Self {
         let other = validate.and_then(|other| {
             let problem = Problem::from_dataset(&other.rig, &other.measured)?;
@@ -47,7 +49,7 @@ impl<'a> Unseen<'a> {
         other.unwrap_or_else(|| {
             let (training, testing) = split(problem, &dataset.rig);
             let part = Part {
-                found: search(&training, limits),
+                found: search_from(&training, limits, before.and_then(Self::searched)),
                 training,
                 testing,
                 since: RefCell::default(),

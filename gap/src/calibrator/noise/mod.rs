@@ -70,6 +70,12 @@ impl Noise {
         self.factor.iter().all(|f| *f == 1.0) && !self.remembers()
     }
 
+    /// Whether the size of the noise is all that is not as stated: every row is still as good as another, and the
+    /// sets that were found there do not describe what rows remember.
+    pub(super) fn is_of_size_only(&self) -> bool {
+        self.outliers.is_empty() && !self.remembers()
+    }
+
     fn is_as_stated(&self) -> bool {
         self.outliers.is_empty() && self.is_of_rows_only()
     }
