@@ -95,26 +95,37 @@ impl Candidate {
         effect.entry().stage == Stage::Exciter && !effect.is_linear() && !effect.bends()
     }
 
-    /// The changes beside the effects that a fit holds.
-    pub(super) fn beside(
+    /// The changes beside the effects that a fit holds, from the slopes there; `None` where they do not tell.
+    pub(super) fn by_slopes(
         &self,
         problem: &Problem,
         fit: &Fit,
-        (here, tangent): (&Evaluation, &Tangent),
+        tangent: &Tangent,
+    ) -> Option<Vec<Column>> {
+        let members = self.start.members.iter();
+        let columns = members.map(|parameters| {
+            let added = active(self.entry, parameters.clone());
+            by_values(problem, fit, &added, &tangent.columns)
+        });
+        columns.collect()
+    }
+
+    /// The same from a simulation of each.
+    pub(super) fn simulated(
+        &self,
+        problem: &Problem,
+        fit: &Fit,
+        here: &Evaluation,
         work: &Workspace,
     ) -> Vec<Column> {
         let members = self.start.members.iter();
         let columns = members.map(|parameters| {
-            let added = active(self.entry, parameters.clone());
-            let known = by_values(problem, fit, &added, &tangent.columns);
-            known.unwrap_or_else(|| {
-                let mut effects = fit.effects.clone();
-                effects.push(added);
-                let there = problem.evaluate_aside(&effects, &fit.theta, &work.memory);
-                let left = difference(problem, here, &there);
-                let none = vec![0.0; left.len()];
-                Column::difference(problem, &none, &left, 1.0)
-            })
+            let mut effects = fit.effects.clone();
+            effects.push(active(self.entry, parameters.clone()));
+            let there = problem.evaluate_aside(&effects, &fit.theta, &work.memory);
+            let left = difference(problem, here, &there);
+            let none = vec![0.0; left.len()];
+            Column::difference(problem, &none, &left, 1.0)
         });
         columns.collect()
     }

@@ -5,11 +5,14 @@ use super::fit::{Fit, Workspace};
 use super::higher::higher_harmonics;
 use super::linear::{Linearised, Slopes};
 use super::nuisance::Nuisance;
-use super::problem::Problem;
+use super::problem::{Column, Problem};
 use super::scatter::{QuietStarts, Scene};
 use super::settled::gradient;
 use crate::effects::library;
 use crate::thresholds;
+
+/// Starts of an effect that are simulated where no slopes tell what they change.
+const NEAREST: usize = 2;
 
 /// All starts of all effects that apply, with their changes at the nominal fit.
 pub(crate) struct Candidates {
@@ -71,21 +74,32 @@ impl Candidates {
         });
         let slope = gradient(problem, fit, &tangent, &evaluation.residual);
         let owed = tangent.halfway(slope);
-        for candidate in &self.list {
-            if fit.has(candidate.entry) {
-                continue;
-            }
-            let at = (&evaluation, &tangent);
-            let beside = ((bent || pulled) && candidate.moves_exciter())
-                .then(|| candidate.beside(problem, fit, at, work));
-            let columns = beside.as_ref().unwrap_or(&candidate.columns);
+        let at = (&evaluation, &tangent);
+        let gain = |candidate: &Candidate, columns: &[Column], floor: f64| {
+            candidate.predicted_gain(columns, problem, at, &owed, floor)
+        };
+        let mut compete = |candidate: &Candidate, columns: &[Column]| {
             let best = &mut best[candidate.entry];
             let floor = best.as_ref().map_or(f64::NEG_INFINITY, |p| p.gain);
-            if let Some(predicted_gain) =
-                candidate.predicted_gain(columns, problem, at, &owed, floor)
-            {
+            if let Some(predicted_gain) = gain(candidate, columns, floor) {
                 *best = Some(predicted_gain);
             }
+        };
+        let mut unknown = Vec::new();
+        for candidate in self.list.iter().filter(|c| !fit.has(c.entry)) {
+            if !(bent || pulled) || !candidate.moves_exciter() {
+                compete(candidate, &candidate.columns);
+            } else if let Some(columns) = candidate.by_slopes(problem, fit, &tangent) {
+                compete(candidate, &columns);
+            } else {
+                unknown.push(candidate);
+            }
+        }
+        for candidate in nearest(unknown, |c| gain(c, &c.columns, f64::NEG_INFINITY)) {
+            compete(
+                candidate,
+                &candidate.simulated(problem, fit, &evaluation, work),
+            );
         }
         let higher_v2 = higher_harmonics(problem, fit, work);
         for higher_v2 in std::iter::once(None).chain(higher_v2.as_deref().map(Some)) {
@@ -128,6 +142,20 @@ impl Candidates {
             }
         }
     }
+}
+
+/// Starts of each effect that promise most by their changes at the nominal fit.
+fn nearest(
+    starts: Vec<&Candidate>,
+    gain: impl Fn(&Candidate) -> Option<PredictedGain>,
+) -> impl Iterator<Item = &Candidate> {
+    let promised = |start| gain(start).map_or(f64::NEG_INFINITY, |p| p.gain);
+    let mut starts: Vec<(f64, &Candidate)> = starts.into_iter().map(|s| (promised(s), s)).collect();
+    starts.sort_by(|(a, one), (b, other)| one.entry.cmp(&other.entry).then(b.total_cmp(a)));
+    let of_effects = starts.chunk_by(|(_, one), (_, other)| one.entry == other.entry);
+    let nearest = of_effects.flat_map(|starts| &starts[..starts.len().min(NEAREST)]);
+    let nearest: Vec<&Candidate> = nearest.map(|(_, start)| *start).collect();
+    nearest.into_iter()
 }
 
 #[cfg(test)]
