@@ -281,15 +281,15 @@ impl Searcher<'_> {
         most: usize,
         nominal: f64,
     ) {
-        let before = tried.len();
+        // Steady sets and those that scatter: one kind does not take the other's turns.
+        let mut turns = [most; 2];
         for plan in plans {
             let entries = plan.entries();
-            if tried.contains(&entries) {
+            let left = &mut turns[usize::from(plan.scatters())];
+            if *left == 0 || tried.contains(&entries) {
                 continue;
             }
-            if tried.len() - before >= most {
-                break;
-            }
+            *left -= 1;
             tried.push(entries);
             self.race(&plan, nominal);
         }
