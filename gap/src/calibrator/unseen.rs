@@ -72,9 +72,13 @@ impl<'a> Unseen<'a> {
         let Self::Rows(part, _) = self else {
             return None;
         };
-        let sets = &part.found.sets;
-        let single = sets.iter().find(|set| set.fit.effects.len() == 1);
-        let fits = sets.first().into_iter().chain(single).map(|set| &set.fit);
+        // What a set leaves uncertain looks like noise, whatever it is.
+        let certain = |fit: &&Fit| {
+            part.training.is_noise(fit.objective) || self.scatter_is_seen(problem, fit)
+        };
+        let sets = part.found.sets.iter().map(|set| &set.fit);
+        let (mut sets, mut singles) = (sets.clone(), sets.filter(|fit| fit.effects.len() == 1));
+        let fits = sets.find(certain).into_iter().chain(singles.find(certain));
         let mut fits: Vec<Fit> = fits.chain([&part.found.nominal]).cloned().collect();
         fits.dedup_by_key(|fit| fit.names());
         for fit in &mut fits {
