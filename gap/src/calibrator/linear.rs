@@ -185,10 +185,8 @@ mod tests {
     use super::*;
     use crate::dataset::Quantity;
 
-    /// A tone beside the block leaves variances open, and moves nothing else: without them the gradient against
-    /// its size and its frequency would be zero.
-    #[test]
-    fn the_gradient_is_that_of_the_objective_where_variances_are_open() {
+    /// Points whose drive scatters by so much, and a tone beside the block that is 0.2 % of it.
+    fn scattered(scatter: f64) -> (Problem, Fit) {
         let (mut rig, mut points) = measured(&[]);
         rig.digitiser.sample_rate_hz = Some(50_000.0);
         rig.digitiser.block_samples = Some(10_000.0);
@@ -197,17 +195,40 @@ mod tests {
             u: 1e-7,
         });
         for (at, point) in points.iter_mut().enumerate() {
-            // Scatter of the drive that the tone has to account for.
-            let scatter = 2e-3 * (3.7 * at as f64).sin();
-            point.ref_v = point.ref_v.map(|v| v * scatter.exp());
+            let by = scatter * (3.7 * at as f64).sin();
+            point.ref_v = point.ref_v.map(|v| v * by.exp());
         }
         let problem = Problem::new(&rig, &points);
-        let mut work = Workspace::new(&problem);
-        let mut fit = Fit {
+        let fit = Fit {
             effects: vec![named("ambient_vibration", 2, &[0.03, 0.02, 12.0])],
             theta: vec![0.0; problem.free.len()],
             objective: 0.0,
         };
+        (problem, fit)
+    }
+
+    /// Where a tone is many times too small, a step cannot bring more than there is. By the expected curvature alone
+    /// it promised hundreds of times as much, and each damping was tried in vain.
+    #[test]
+    fn no_step_of_a_variance_promises_more_than_there_is() {
+        let (problem, fit) = scattered(0.2);
+        let mut work = Workspace::new(&problem);
+        let there = Linearised::new(&problem, &fit, &mut work);
+        let equations = there.equations(&problem);
+        let step = equations.step(1e-4).expect("it has slopes");
+        let (promised, left) = (equations.predicted(&step), there.evaluation.objective);
+        assert!(
+            promised > 0.01 * left && promised < left,
+            "{promised} of {left}"
+        );
+    }
+
+    /// A tone beside the block leaves variances open, and moves nothing else: without them the gradient against
+    /// its size and its frequency would be zero.
+    #[test]
+    fn the_gradient_is_that_of_the_objective_where_variances_are_open() {
+        let (problem, mut fit) = scattered(2e-3);
+        let mut work = Workspace::new(&problem);
         let gradient = Linearised::new(&problem, &fit, &mut work)
             .equations(&problem)
             .gradient;

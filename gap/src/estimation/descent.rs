@@ -183,4 +183,21 @@ mod tests {
         descend(&mut decay, rate, enough).expect("it has slopes");
         assert!(decay.steps_tried <= 2, "{}", decay.steps_tried);
     }
+
+    /// What is out of reach gets a few steps, and what is within reach as many as it needs, without a second start.
+    #[test]
+    fn a_fit_out_of_reach_ends_at_a_glance() {
+        for (within, goes_on) in [(0.0, false), (1e9, true)] {
+            let mut decay = decay(3.9);
+            // From afar, by small steps.
+            let effort = Effort {
+                damping: 30.0,
+                within,
+                ..EFFORT
+            };
+            descend(&mut decay, 0.0, effort).expect("it has slopes");
+            assert_eq!(decay.steps_tried > GLANCE, goes_on, "{}", decay.steps_tried);
+            assert!(decay.steps_tried >= GLANCE);
+        }
+    }
 }
