@@ -84,6 +84,9 @@ impl Linearised {
         let residual = &self.evaluation.residual;
         let mut equations =
             Equations::new(problem, &self.columns, &self.prior, residual, &self.theta);
+        if self.variances.is_empty() {
+            return equations;
+        }
         // A variance is too small by as much as the square of its deviate is above one. The curvature is the mean of
         // the expected (Fisher) and the observed one, which bounds steps where a variance is many times too small.
         let excess: Vec<f64> = residual.iter().map(|r| r * r - 1.0).collect();
@@ -185,7 +188,7 @@ mod tests {
     use super::*;
     use crate::dataset::Quantity;
 
-    /// Points whose drive scatters by so much, and a tone beside the block that is 0.2 % of it.
+    /// Points whose drive scatters by so much, and a tone of 0.02 m/s2 beside the block.
     fn scattered(scatter: f64) -> (Problem, Fit) {
         let (mut rig, mut points) = measured(&[]);
         rig.digitiser.sample_rate_hz = Some(50_000.0);

@@ -22,6 +22,7 @@ pub(crate) const FULL: Effort = Effort {
     damping: 1e-4,
     leap: 100.0,
 };
+
 /// Refines effects and nuisances from a start.
 pub(crate) fn refine(
     problem: &Problem,

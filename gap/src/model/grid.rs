@@ -138,7 +138,7 @@ pub(super) fn analyse(signal: &[f64; GRID], parity: Parity) -> Wave {
             orders[2 * k + odd] = Complex64::new(re, -im);
         }
     }
-    // The mean is no half of two.
+    // The mean is summed without the factor of two that the other orders have.
     orders[0] *= 0.5;
     orders
 }
