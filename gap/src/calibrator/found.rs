@@ -65,12 +65,11 @@ impl<'a> Found<'a> {
     /// Whether the best set of a size leaves noise, or little of what the best below it leaves beyond
     /// that. Where one more effect does not, none is the one that lacks.
     pub(super) fn closes(&self, size: usize) -> bool {
-        let count = self.problem.len() as f64;
         let beyond = |size| {
             let leader = self.leader(size);
             leader.map_or(f64::INFINITY, |fit| self.beyond_noise(fit))
         };
-        let noise = thresholds::NOISE_CHI_SIGMA * (2.0 * count).sqrt();
+        let noise = self.problem.most_of_noise() - self.problem.len() as f64;
         beyond(size) < noise.max(thresholds::CLOSES * beyond(size - 1))
     }
 

@@ -168,10 +168,15 @@ impl Problem {
         self.free.iter().map(of).collect()
     }
 
-    /// Whether an objective is what noise leaves: one per datum, within three standard deviations.
-    pub(super) fn is_noise(&self, objective: f64) -> bool {
+    /// Objective that noise leaves at most: one per datum, and three standard deviations.
+    pub(super) fn most_of_noise(&self) -> f64 {
         let count = self.len() as f64;
-        objective < count + thresholds::NOISE_CHI_SIGMA * (2.0 * count).sqrt()
+        count + thresholds::NOISE_CHI_SIGMA * (2.0 * count).sqrt()
+    }
+
+    /// Whether an objective is what noise leaves.
+    pub(super) fn is_noise(&self, objective: f64) -> bool {
+        objective < self.most_of_noise()
     }
 
     /// Number of data.

@@ -5,6 +5,7 @@ use crate::calibrator::fit::{Fit, Workspace};
 use crate::calibrator::problem::Problem;
 use crate::calibrator::refine::{FULL, refine};
 use crate::dataset::Rig;
+use crate::estimation::descent::Effort;
 use crate::estimation::significance::two_sided;
 use crate::observable::Group;
 use crate::thresholds;
@@ -24,10 +25,12 @@ pub(super) struct Kept {
 
 impl Kept {
     /// Drops the worst row and fits anew, until no row stands out; none where too many do.
+    ///
+    /// A fit that leaves more than noise without a row gets a few steps: the next row is dropped from there.
     pub(super) fn new(whole: &Problem, rig: &Rig, fit: Fit, work: &mut Workspace) -> Self {
         let most = thresholds::FEW_OUTLIERS.max(whole.rows.len() / thresholds::ROWS_PER_OUTLIER);
         let most = most.min(whole.rows.len() / thresholds::LEAST_ROWS_PER_OUTLIER);
-        let start = Self::fitted(whole.clone(), fit, work.clone(), Vec::new());
+        let start = Self::fitted(whole.clone(), fit, FULL, work.clone(), Vec::new());
         let mut rows: Vec<usize> = (0..whole.rows.len()).collect();
         let mut now = None;
         let mut dropped = Vec::new();
@@ -42,13 +45,23 @@ impl Kept {
             let mut fit = last.fit.clone();
             fit.theta = kept.translate(&last.problem, &fit.theta);
             let work = Workspace::new(&kept);
-            now = Some(Self::fitted(kept, fit, work, dropped.clone()));
+            let effort = Effort {
+                within: kept.most_of_noise(),
+                ..FULL
+            };
+            now = Some(Self::fitted(kept, fit, effort, work, dropped.clone()));
         }
         now.unwrap_or(start)
     }
 
-    fn fitted(problem: Problem, from: Fit, mut work: Workspace, dropped: Vec<usize>) -> Self {
-        let fit = refine(&problem, from.effects, from.theta, FULL, &mut work);
+    fn fitted(
+        problem: Problem,
+        from: Fit,
+        effort: Effort,
+        mut work: Workspace,
+        dropped: Vec<usize>,
+    ) -> Self {
+        let fit = refine(&problem, from.effects, from.theta, effort, &mut work);
         let evaluation = problem.evaluate(&fit.effects, &fit.theta, &mut work.memory);
         Self {
             problem,
