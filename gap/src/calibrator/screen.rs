@@ -190,4 +190,45 @@ mod tests {
         let gain = predicted_gain.map_or(0.0, |p| p.gain);
         assert!((80.0..125.0).contains(&gain), "{gain} {:?}", beside.theta);
     }
+
+    /// However much the starts of one effect promise, two of every other are simulated too, the best of its own.
+    #[test]
+    fn the_two_nearest_starts_of_every_effect_are_simulated() {
+        let (rig, points) = measured(&[]);
+        let problem = Problem::new(&rig, &points);
+        let mut work = Workspace::new(&problem);
+        let theta = vec![0.0; problem.free.len()];
+        let nominal = refine(&problem, vec![], theta, FULL, &mut work);
+        let allowed = vec![true; library().len()];
+        let all = Candidates::new(&problem, &allowed, &nominal, &mut work).list;
+        // The later an effect comes, the more it promises; of its starts the first most, and the second nothing.
+        let at = |start: &Candidate| all.iter().position(|of| std::ptr::eq(of, start));
+        let first = |entry: usize| all.iter().position(|of| of.entry == entry);
+        let rank = |start: &Candidate| at(start).unwrap() - first(start.entry).unwrap();
+        let gain = |start: &Candidate| {
+            (rank(start) != 1).then(|| PredictedGain {
+                entry: start.entry,
+                gain: 100.0 * start.entry as f64 - rank(start) as f64,
+                parameters: Vec::new(),
+                shift: None,
+                group: 0,
+            })
+        };
+        let chosen: Vec<_> = nearest(all.iter().collect(), gain).collect();
+        let starts = |entry: usize| all.iter().filter(move |of| of.entry == entry).count();
+        assert!((0..library().len()).any(|entry| starts(entry) > NEAREST));
+        for entry in 0..library().len() {
+            let ranks = chosen
+                .iter()
+                .filter(|of| of.entry == entry)
+                .map(|of| rank(of));
+            let expected: &[usize] = match starts(entry) {
+                0 => &[],
+                1 => &[0],
+                2 => &[0, 1],
+                _ => &[0, 2],
+            };
+            assert_eq!(ranks.collect::<Vec<_>>(), expected, "entry {entry}");
+        }
+    }
 }
