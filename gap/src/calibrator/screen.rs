@@ -1,11 +1,12 @@
 //! Screening: how much each effect could explain of what a fit leaves.
 
 use super::candidate::{Candidate, PredictedGain, active};
+use super::evaluation::Evaluation;
 use super::fit::{Fit, Workspace};
 use super::higher::higher_harmonics;
 use super::linear::{Linearised, Slopes};
 use super::nuisance::Nuisance;
-use super::problem::{Column, Problem};
+use super::problem::{Column, Problem, Tangent};
 use super::scatter::{QuietStarts, Scene};
 use super::settled::gradient;
 use crate::effects::library;
@@ -67,16 +68,31 @@ impl Candidates {
             return (Vec::new(), None);
         };
         let mut best: Vec<Option<PredictedGain>> = vec![None; library().len()];
-        let bent = fit.effects.iter().any(|e| e.effect.bends());
-        // Changes of the exciter at its nominal values are others than beside values far from them.
-        let pulled = problem.free.iter().zip(&fit.theta).any(|(free, value)| {
-            matches!(free.kind, Nuisance::Exciter(_)) && value.abs() > thresholds::EXCITER_PULLED
-        });
-        let slope = gradient(problem, fit, &tangent, &evaluation.residual);
+        self.scan_steady(problem, fit, (&evaluation, &tangent), &mut best, work);
+        let higher_v2 = higher_harmonics(problem, fit, work);
+        for higher_v2 in std::iter::once(None).chain(higher_v2.as_deref().map(Some)) {
+            let scene = Scene::new(problem, &fit.effects, &fit.theta, &evaluation, higher_v2);
+            self.scan_scatter(problem, fit, &scene, &mut best);
+        }
+        let mut list: Vec<PredictedGain> = best.into_iter().flatten().collect();
+        list.sort_by(|a, b| b.gain.total_cmp(&a.gain));
+        (list, Some(Slopes::new(tangent.columns, evaluation.weight)))
+    }
+
+    /// The best start of each effect that moves what is measured.
+    fn scan_steady(
+        &self,
+        problem: &Problem,
+        fit: &Fit,
+        (evaluation, tangent): (&Evaluation, &Tangent),
+        best: &mut [Option<PredictedGain>],
+        work: &mut Workspace,
+    ) {
+        let moved = is_moved(problem, fit);
+        let slope = gradient(problem, fit, tangent, &evaluation.residual);
         let owed = tangent.halfway(slope);
-        let at = (&evaluation, &tangent);
         let gain = |candidate: &Candidate, columns: &[Column], floor: f64| {
-            candidate.predicted_gain(columns, problem, at, &owed, floor)
+            candidate.predicted_gain(columns, problem, (evaluation, tangent), &owed, floor)
         };
         let mut compete = |candidate: &Candidate, columns: &[Column]| {
             let best = &mut best[candidate.entry];
@@ -87,28 +103,18 @@ impl Candidates {
         };
         let mut unknown = Vec::new();
         for candidate in self.list.iter().filter(|c| !fit.has(c.entry)) {
-            if !(bent || pulled) || !candidate.moves_exciter() {
+            if !moved || !candidate.moves_exciter() {
                 compete(candidate, &candidate.columns);
-            } else if let Some(columns) = candidate.by_slopes(problem, fit, &tangent) {
+            } else if let Some(columns) = candidate.by_slopes(problem, fit, tangent) {
                 compete(candidate, &columns);
             } else {
                 unknown.push(candidate);
             }
         }
         for candidate in nearest(unknown, |c| gain(c, &c.columns, f64::NEG_INFINITY)) {
-            compete(
-                candidate,
-                &candidate.simulated(problem, fit, &evaluation, work),
-            );
+            let columns = candidate.simulated(problem, fit, evaluation, work);
+            compete(candidate, &columns);
         }
-        let higher_v2 = higher_harmonics(problem, fit, work);
-        for higher_v2 in std::iter::once(None).chain(higher_v2.as_deref().map(Some)) {
-            let scene = Scene::new(problem, &fit.effects, &fit.theta, &evaluation, higher_v2);
-            self.scan_scatter(problem, fit, &scene, &mut best);
-        }
-        let mut list: Vec<PredictedGain> = best.into_iter().flatten().collect();
-        list.sort_by(|a, b| b.gain.total_cmp(&a.gain));
-        (list, Some(Slopes::new(tangent.columns, evaluation.weight)))
     }
 
     /// The best start of each effect that only scatters, then other sizes and details around it.
@@ -142,6 +148,16 @@ impl Candidates {
             }
         }
     }
+}
+
+/// Whether the exciter is far from where the changes of the starts were computed: bent, or pulled from its nominal
+/// values.
+fn is_moved(problem: &Problem, fit: &Fit) -> bool {
+    let mut nuisances = problem.free.iter().zip(&fit.theta);
+    fit.effects.iter().any(|e| e.effect.bends())
+        || nuisances.any(|(free, value)| {
+            matches!(free.kind, Nuisance::Exciter(_)) && value.abs() > thresholds::EXCITER_PULLED
+        })
 }
 
 /// Starts of each effect that promise most by their changes at the nominal fit.
