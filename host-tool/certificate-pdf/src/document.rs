@@ -142,6 +142,17 @@ Hello #data.name
     }
 
     #[test]
+    fn a_template_loads_no_plugin() {
+        let plugin = File {
+            name: "plugin.wasm",
+            bytes: b"\0asm\x01\0\0\0",
+        };
+        let error = render("#plugin(\"plugin.wasm\")", &[plugin], "test").expect_err("a plugin");
+        assert_eq!(error.line, 1, "{error:?}");
+        assert!(error.problem.contains("runs no WebAssembly"), "{error:?}");
+    }
+
+    #[test]
     fn a_template_that_does_not_compile_names_its_line() {
         let error = render("Hello\n\n#lett x = 1\n", &[], "test").expect_err("misspelt");
         assert_eq!(error.line, 3, "{error:?}");

@@ -15,40 +15,13 @@
 //! controller that never reached it gets caught. A chip answers what the part it models would
 //! answer. They're different things, and they live apart.
 
-pub mod ab_rtcmk;
-pub mod adcs_unit;
-pub mod ads7128;
-pub mod ak8963;
 pub mod can;
-pub mod csp;
-pub mod dps310;
-pub(crate) mod earth;
 
-pub mod fluxgate_magnetometer;
-pub mod fram;
 pub mod i2c;
-pub mod icm20608;
-pub mod icm42605;
-pub mod icm42688p;
-mod icm426xx;
-pub mod ina209;
-mod invensense;
-pub mod lis3mdl;
-pub mod memory_card;
-pub mod mpu9250;
-pub mod ms5611;
-pub mod nmea;
 pub mod parallel;
-pub mod pcal9538a;
-pub mod power_system;
-pub mod qmc5883l;
 pub mod sd;
-pub(crate) mod sgp4;
-pub mod skytraq;
 pub mod spi;
-pub mod tmp117;
 pub mod uart;
-pub mod uhf_transceiver;
 
 use crate::device::DeviceContext;
 use crate::snapshot::{Error, Reader, Store, Writer};

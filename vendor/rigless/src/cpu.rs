@@ -32,9 +32,3 @@
 pub(crate) mod armv7;
 pub mod armv7m;
 pub mod singles;
-#[cfg(not(emulator_absent))]
-#[cfg_attr(
-    not(any(test, feature = "tms570lc4357")),
-    expect(dead_code, reason = "only a part's machine runs the R core")
-)]
-pub(crate) mod armv7r;

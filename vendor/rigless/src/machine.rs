@@ -40,7 +40,6 @@ use crate::soc::Error;
 pub mod armv7m;
 #[cfg(feature = "ex-alta-2")]
 pub mod ex_alta_2;
-pub mod flight;
 #[cfg(feature = "matekh743")]
 pub mod matekh743;
 #[cfg(feature = "pixracer")]
