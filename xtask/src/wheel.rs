@@ -136,6 +136,8 @@ pub(crate) fn test(interpreter: &Path, image: &Path) -> Result<()> {
     python::with_spark(interpreter)?;
     let mut tests = Command::new(interpreter);
     tests.args(["-m", "pytest", "--quiet", "-p", "no:cacheprovider"]);
+    // A process for each core: most of a test is one calibrator or one diagnosis.
+    tests.args(["--numprocesses", "auto"]);
     tests.arg(root().join("python/tests"));
     tests.env("CALIB_FIRMWARE_ELF", image);
     tests.env("CALIB_TOOL", crate::demo::tool());
