@@ -135,6 +135,9 @@ impl Packages {
         if let Some(sum) = self.sums.get(&key) {
             put("hashes", sha256(sum));
             put("purl", json!(format!("pkg:cargo/{}@{}", key.0, key.1)));
+        } else if let Some(about) = package["description"].as_str() {
+            // Ours, which may stand in the place of a published one.
+            put("description", json!(about));
         }
         Value::Object(component)
     }
