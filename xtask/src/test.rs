@@ -3,6 +3,8 @@
 use crate::shell::{self, cargo, target_dir};
 use crate::{browser, demo, deny, elf, no_panic, packages, python, update, wheel};
 use anyhow::{Context, Result, bail};
+use std::path::PathBuf;
+use std::process::Command;
 
 /// Programs that are not ours and judge what we make: the variable that names one to the tests, its name, and what
 /// it judges.
@@ -19,18 +21,14 @@ pub(crate) fn run(filter: &[String]) -> Result<()> {
         shell::run(cargo_plain("fmt").args(["--all", "--check"]))?;
         no_test_is_skipped()?;
     }
-    let images = elf::build_all()?;
+    let images = build()?;
     if filter.is_empty() {
         images.iter().try_for_each(|image| no_panic::check(image))?;
     }
     let image = images.last().context("no board")?;
     update::build_loader()?;
     update::build(None)?;
-    // The tests of the tool need it, so cargo builds and places it with them.
-    let mut tests = cargo("test");
-    // The programs of the benches are left to the lints: each would be linked here and never run.
-    tests.args(["--release", "--workspace", "--no-fail-fast"]);
-    tests.args(["--lib", "--bins", "--tests"]);
+    let mut tests = rust_tests();
     tests
         .env("CALIB_FIRMWARE_ELF", image)
         .env("CALIB_TOOL", demo::tool());
@@ -67,6 +65,27 @@ pub(crate) fn run(filter: &[String]) -> Result<()> {
     Ok(())
 }
 
+/// Builds images and tests side by side, since linking an image leaves a core idle.
+/// Returns the paths of the images.
+fn build() -> Result<Vec<PathBuf>> {
+    std::thread::scope(|scope| {
+        let images = scope.spawn(elf::build_all);
+        shell::run(rust_tests().arg("--no-run"))?;
+        images
+            .join()
+            .unwrap_or_else(|_| bail!("the build of the images panicked"))
+    })
+}
+
+/// The tests in Rust. Those of the tool need it, so cargo builds and places it with them; the programs
+/// of the benches are left to the lints: each would be linked here and never run.
+fn rust_tests() -> Command {
+    let mut tests = cargo("test");
+    tests.args(["--release", "--workspace", "--no-fail-fast"]);
+    tests.args(["--lib", "--bins", "--tests"]);
+    tests
+}
+
 /// Lints with warnings denied. After the tests: clippy shares no build with
 /// them, and a failing test is the more urgent news.
 fn lint() -> Result<()> {
@@ -83,8 +102,8 @@ fn lint() -> Result<()> {
 }
 
 /// `cargo fmt` knows no `--ignore-rust-version`.
-fn cargo_plain(subcommand: &str) -> std::process::Command {
-    let mut command = std::process::Command::new("cargo");
+fn cargo_plain(subcommand: &str) -> Command {
+    let mut command = Command::new("cargo");
     command.current_dir(shell::root()).arg(subcommand);
     command
 }
