@@ -2,7 +2,7 @@
 
 use crate::shell::{cargo, target_dir};
 use crate::{elf, shell};
-use anyhow::{Result, bail};
+use anyhow::Result;
 use std::path::PathBuf;
 use std::process::Command;
 
@@ -18,16 +18,9 @@ pub(crate) fn tool() -> PathBuf {
     target_dir().join("release").join("calib")
 }
 
-/// Builds image and tool side by side: either alone leaves a core idle while it links.
-/// Returns the path of the image.
+/// Builds image and tool, and returns the path of the image.
 pub(crate) fn build_all() -> Result<PathBuf> {
-    std::thread::scope(|scope| {
-        let image = scope.spawn(elf::build);
-        build_tool()?;
-        image
-            .join()
-            .unwrap_or_else(|_| bail!("the build of the image panicked"))
-    })
+    shell::beside(elf::build, build_tool)
 }
 
 /// Builds what is needed and runs `calib demo`.

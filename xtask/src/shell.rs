@@ -71,6 +71,21 @@ pub(crate) fn run(command: &mut Command) -> Result<()> {
     Ok(())
 }
 
+/// Builds images and what runs on this computer side by side: either alone leaves a core idle while it links.
+/// Returns what `images` returns.
+pub(crate) fn beside<T: Send>(
+    images: impl FnOnce() -> Result<T> + Send,
+    host: impl FnOnce() -> Result<()>,
+) -> Result<T> {
+    std::thread::scope(|scope| {
+        let images = scope.spawn(images);
+        host()?;
+        images
+            .join()
+            .unwrap_or_else(|_| bail!("the build of the images panicked"))
+    })
+}
+
 /// Output of a program.
 pub(crate) fn said(command: &mut Command) -> Result<String> {
     let name = command.get_program().to_string_lossy().into_owned();

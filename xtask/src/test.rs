@@ -21,13 +21,11 @@ pub(crate) fn run(filter: &[String]) -> Result<()> {
         shell::run(cargo_plain("fmt").args(["--all", "--check"]))?;
         no_test_is_skipped()?;
     }
-    let images = build()?;
+    let images = shell::beside(images, || shell::run(rust_tests().arg("--no-run")))?;
     if filter.is_empty() {
         images.iter().try_for_each(|image| no_panic::check(image))?;
     }
     let image = images.last().context("no board")?;
-    update::build_loader()?;
-    update::build(None)?;
     let mut tests = rust_tests();
     tests
         .env("CALIB_FIRMWARE_ELF", image)
@@ -65,16 +63,12 @@ pub(crate) fn run(filter: &[String]) -> Result<()> {
     Ok(())
 }
 
-/// Builds images and tests side by side, since linking an image leaves a core idle.
-/// Returns the paths of the images.
-fn build() -> Result<Vec<PathBuf>> {
-    std::thread::scope(|scope| {
-        let images = scope.spawn(elf::build_all);
-        shell::run(rust_tests().arg("--no-run"))?;
-        images
-            .join()
-            .unwrap_or_else(|_| bail!("the build of the images panicked"))
-    })
+/// Builds the images of all boards, the loader and an update, and returns the paths of the images.
+fn images() -> Result<Vec<PathBuf>> {
+    let images = elf::build_all()?;
+    update::build_loader()?;
+    update::build(None)?;
+    Ok(images)
 }
 
 /// The tests in Rust. Those of the tool need it, so cargo builds and places it with them; the programs
