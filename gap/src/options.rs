@@ -11,7 +11,7 @@ pub struct Options {
     /// Another dataset to score on.
     pub validate: Option<std::path::PathBuf>,
     /// Largest number of effects at a time; if none is stated, two, and for points more where two
-    /// leave structure.
+    /// show lack of fit.
     pub most_effects: Option<usize>,
 }
 

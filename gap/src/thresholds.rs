@@ -3,7 +3,7 @@
 //! Each states what it follows from, or that it is a choice. Where sets are counted, so many get
 //! another verdict or another first name when the number is changed and all else kept; where none
 //! are, that was not measured. Numbers of physics (the copper of a coil, free fall), sizes of
-//! grids, starts of fits and what only a page looks like stay where they are used.
+//! grids, starts and efforts of fits and what only a page looks like stay where they are used.
 
 // Is there a gap, and does a set explain it?
 
@@ -118,7 +118,7 @@ pub(crate) const WORTH_REFINING: f64 = 5.0;
 /// Predicted gain of -2 ln likelihood from which a third effect is tried: noise promises as much of some
 /// 300 starts of two parameters each in one of 900 sets. Half of what its name and values cost more is
 /// lost by it.
-pub(crate) const SHOWS_STRUCTURE: f64 = 25.0;
+pub(crate) const SHOWS_LACK_OF_FIT: f64 = 25.0;
 /// Share of the objective beyond noise that a third effect may leave, if the search is to go on: a true
 /// one leaves noise, but for a fit that stops short. It ends seconds of search for a cause that has no
 /// name.
@@ -126,7 +126,7 @@ pub(crate) const CLOSES: f64 = 0.2;
 /// Share of the objective beyond noise that a third effect has to promise to be tried. The screening is
 /// linear and promises too little, but not so much too little: of 1736 sets that closed four fifths (300
 /// sealed triples) all but one had promised more, the true ones 0.07 and more.
-pub(crate) const PROMISED: f64 = 0.01;
+pub(crate) const PREDICTED_SHARE: f64 = 0.01;
 /// Gain of -2 ln likelihood that counts as a finding: three standard deviations.
 pub(crate) const WORTH_ADDING: f64 = 9.0;
 /// Share of a predicted gain by which the truth may exceed it: the screening is linear.
@@ -140,6 +140,45 @@ pub(crate) const SEEDED: f64 = 60.0;
 pub(crate) const OUT_OF_REACH: f64 = 60.0;
 /// [`OUT_OF_REACH`] as a share of the best set's gain, as long as that leaves more than noise.
 pub(crate) const REACH_SHARE: f64 = 0.02;
+
+// How far is searched?
+
+/// Starts of an effect that are simulated where no slopes tell what they change: the two of which the nominal changes
+/// promise most.
+pub(crate) const NEAREST_STARTS: usize = 2;
+/// Sets of one size from which larger ones are grown.
+pub(crate) const BASES: usize = 7;
+/// The same of those whose first effect shows in the same kind of observable, beyond [`BASES`].
+pub(crate) const BASES_OF_A_KIND: usize = 2;
+/// Pairs that are refined fully.
+pub(crate) const MOST_PAIRS: usize = 14;
+/// Leading sets that are grown where they show lack of fit.
+pub(crate) const LEADERS: usize = 2;
+/// Sets of three effects and more that are refined a round.
+pub(crate) const MOST_LARGER: usize = 6;
+/// Sets that are struck, before what comes up next is only the nearest of what does not stand.
+pub(crate) const MOST_STRUCK: usize = 12;
+/// Effects at a time that are tried where fewer show lack of fit.
+pub(crate) const MOST_EFFECTS: usize = 4;
+/// Data for each of them: with fewer three effects describe any table.
+pub(crate) const DATA_PER_EFFECT: usize = 20;
+/// Data for each of two, which have two values each: with fewer they pass through all points.
+pub(crate) const FEWEST_PER_EFFECT: usize = 6;
+/// Accepted steps between renewals of the slopes of a nonlinear exciter.
+pub(crate) const RENEWAL: usize = 4;
+/// Steps that are enough to see whether a fit is within reach.
+pub(crate) const GLANCE: usize = 5;
+/// Sets that are compared when rows are drawn again.
+pub(crate) const MOST_COMPARED: usize = 12;
+/// Causes that are listed at most.
+pub(crate) const MOST_CAUSES: usize = 12;
+
+// What is scored on rows that took no part?
+
+/// Levels, or bands, of a dataset at most: equal steps of the logarithm.
+pub(crate) const MOST_SLICES: usize = 4;
+/// Frequencies from which whole ones are held out; of fewer, single rows are.
+pub(crate) const FEWEST_FREQUENCIES: usize = 9;
 
 // What is noise, and what is stretched?
 
@@ -161,6 +200,8 @@ pub(crate) const HARMONICS_SHOW: f64 = 1e-2;
 /// Scatter of one noise value about its expectation, relative: that of the r.m.s. of 5000
 /// independent samples.
 pub(crate) const NOISE_SCATTER: f64 = 0.01;
+/// Power of a row's noise beyond the healthy one, over that one, from which it counts: 2.5 [`NOISE_SCATTER`].
+pub(crate) const NOISE_EXCESS: f64 = 0.05;
 
 // Is the noise what is stated?
 
@@ -181,6 +222,21 @@ pub(crate) const LEAST_MEMORY: f64 = 0.25;
 /// Least part of the row before that a row forgets. Noise that forgets less is a drift, and a table of some
 /// hundred rows holds one piece of it.
 pub(crate) const LEAST_FORGOTTEN: f64 = 0.01;
+/// Memory of the part of a group that remembers least, over that of the whole, from which all of it remembers: a drift of
+/// one value is an effect.
+pub(crate) const ALL_PARTS: f64 = 0.5;
+/// Scatter of the middle of what is left over that of all from which no few rows make the whole: noise has 1.
+pub(crate) const MIDDLE: f64 = 0.85;
+/// Data that say something of their noise, at least.
+pub(crate) const FEWEST_OF_NOISE: usize = 12;
+/// Rows so near in time that they are no repetition of one another.
+pub(crate) const NEAR_ROWS: usize = 3;
+/// Rows after one of a frequency among which its repetition is looked for.
+pub(crate) const REPEATS_AMONG: usize = 16;
+/// Relative difference of the level up to which a row repeats another.
+pub(crate) const LEVEL_REPEATED: f64 = 0.02;
+/// Difference of the temperature below which it does, in K.
+pub(crate) const REPEATED_K: f64 = 1.0;
 /// Deviates at which a row stands out whatever the number of data.
 pub(crate) const OUTLIER_SIGMA: f64 = 5.0;
 /// Probability that one datum of so many stands out as much: of 10 000 tables one.
@@ -194,8 +250,10 @@ pub(crate) const FEW_OUTLIERS: usize = 3;
 pub(crate) const ROWS_PER_OUTLIER: usize = 50;
 /// Rows of which no more than one may be dropped: of a short table as much would be a cause.
 pub(crate) const LEAST_ROWS_PER_OUTLIER: usize = 8;
+/// Readings of a row that one slip spoils.
+pub(crate) const MOST_READINGS: usize = 2;
 
-// Which structure is left?
+// Which lack of fit is left?
 
 /// Share of the square of a shape that a fit must leave of it: of less only rounding speaks.
 pub(crate) const LEAST_LEFT: f64 = 1e-3;
@@ -214,6 +272,16 @@ pub(crate) const OPEN_FACTOR: f64 = 3.0;
 pub(crate) const FEWEST_OPEN: f64 = 12.0;
 /// Relative difference of levels, or frequencies, that were meant to be the same.
 pub(crate) const LEVELS_ALIKE: f64 = 0.005;
+/// Ratio of the highest to the lowest level from which levels vary.
+pub(crate) const LEVELS_VARY: f64 = 1.2;
+/// Range of a temperature, in K, of a rotation or of a direction from which that condition varies.
+pub(crate) const VARIES: f64 = 0.05;
+/// Ratio of two voltages between which a range may end, at least: less is the scatter of one level.
+pub(crate) const APART: f64 = 1.1;
+/// Frequencies of a local bump at most.
+pub(crate) const WIDEST_BUMP: usize = 3;
+/// Bumps of an observable at most.
+pub(crate) const MOST_BUMPS: usize = 6;
 
 // Which stage does a gap point to?
 
@@ -302,7 +370,7 @@ pub(crate) const INDEPENDENT: f64 = 0.02;
 /// expand in powers first.
 pub(crate) const ODDS_OF_LEADING: f64 = 3.0;
 /// Share of what is left, r.m.s., that the integration may err by: more would be taken for
-/// structure.
+/// lack of fit.
 pub(crate) const RESOLVED: f64 = 0.3;
 /// Share of what is left, r.m.s., up to which an error of the integration does not matter: over
 /// thousands of samples a direction of it still stays near one standard deviation.
@@ -313,6 +381,26 @@ pub(crate) const INTERPOLATED: f64 = 1e-6;
 pub(crate) const POOR: f64 = 0.03;
 /// Size of a first stretch over that of the whole record below which it says nothing.
 pub(crate) const QUIET: f64 = 0.1;
+/// Share of the squared output below which a first linear fit must stay to be begun from.
+pub(crate) const DESCRIBES_LITTLE: f64 = 0.3;
+/// Trace of one parity over that of the other below which the other alone is said.
+pub(crate) const OTHER_PARITY: f64 = 0.1;
+/// Samples at the start that only settle the state.
+pub(crate) const SETTLING: usize = 50;
+/// Longest part of a record that is fitted, in samples.
+pub(crate) const MOST_FITTED: usize = 20_000;
+/// Share of a record, in quarters, that may be fitted where there is no other one.
+pub(crate) const FITTED_QUARTERS: usize = 3;
+/// Samples of the past from which the next error is predicted.
+pub(crate) const PAST: usize = 40;
+/// Steps after which terms are compared.
+pub(crate) const FIRST_STEPS: usize = 4;
+/// Sets of terms that are refined further.
+pub(crate) const MOST_REFINED: usize = 5;
+/// Steps of those.
+pub(crate) const STEPS_OF_LEADING: usize = 10;
+/// Steps of the fit that leads; most need one or two of them.
+pub(crate) const STEPS_TO_THE_END: usize = 40;
 /// Gain of -2 ln likelihood below which a fit of a record stops, over the number of samples.
 pub(crate) const STEP_WORTH: f64 = 1e-6;
 /// The same of points, over what is left beyond noise: nothing shows it there.

@@ -11,10 +11,6 @@ use crate::estimation::significance::two_sided;
 use crate::observable::{Complex, Observable};
 use crate::thresholds;
 
-/// Frequencies in a group.
-const WIDEST: usize = 3;
-/// Most bumps of an observable.
-const MOST: usize = 6;
 /// A bump.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Bump {
@@ -88,7 +84,7 @@ impl Spectrum {
     fn bumps(&self) -> Vec<Bump> {
         let mut rest: Vec<usize> = (0..self.frequency_hz.len()).collect();
         let mut bumps: Vec<Bump> = Vec::new();
-        while bumps.len() < MOST
+        while bumps.len() < thresholds::MOST_BUMPS
             && let Some(group) = self
                 .largest(&rest)
                 .filter(|g| g.p_value < thresholds::BUMP_P_VALUE)
@@ -122,7 +118,7 @@ impl Spectrum {
 
     /// The least probable group of the frequencies that are left.
     fn largest(&self, rest: &[usize]) -> Option<Group> {
-        let groups = (1..=WIDEST).flat_map(|width| {
+        let groups = (1..=thresholds::WIDEST_BUMP).flat_map(|width| {
             let windows = rest.windows(width + 2).enumerate();
             windows.map(move |(at, window)| Group {
                 first: at + 1,

@@ -92,7 +92,7 @@ impl Candidate {
     /// Whether the effect changes the linear exciter, and with it the harmonics of a bent one.
     pub(super) fn moves_exciter(&self) -> bool {
         let effect = library()[self.entry];
-        effect.entry().stage == Stage::Exciter && !effect.is_linear() && !effect.bends()
+        effect.entry().stage == Stage::Exciter && !effect.is_linear() && !effect.makes_nonlinear()
     }
 
     /// The changes beside the effects that a fit holds, from the slopes there; `None` where they do not tell.
@@ -122,7 +122,7 @@ impl Candidate {
         let columns = members.map(|parameters| {
             let mut effects = fit.effects.clone();
             effects.push(active(self.entry, parameters.clone()));
-            let there = problem.evaluate_aside(&effects, &fit.theta, &work.memory);
+            let there = problem.evaluate_beside(&effects, &fit.theta, &work.memory);
             let left = difference(problem, here, &there);
             let none = vec![0.0; left.len()];
             Column::difference(problem, &none, &left, 1.0)

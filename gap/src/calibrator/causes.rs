@@ -13,9 +13,6 @@ use crate::thresholds;
 use calib_effects::{Of, Scale};
 use std::collections::BTreeMap;
 
-/// Most causes that are listed.
-const MOST: usize = 12;
-
 /// The causes that are probable enough to be listed, best first.
 pub(super) fn causes(problem: &Problem, found: &Search, work: &mut Workspace) -> Vec<Cause> {
     let smallest = found
@@ -28,7 +25,7 @@ pub(super) fn causes(problem: &Problem, found: &Search, work: &mut Workspace) ->
         .filter(|(_, s)| {
             !s.fit.effects.is_empty() && s.probability >= thresholds::LISTED_PROBABILITY
         })
-        .take(MOST)
+        .take(thresholds::MOST_CAUSES)
         .collect();
     let stability = Stability::new(problem, &found.sets, work);
     listed
@@ -49,9 +46,6 @@ pub(super) fn causes(problem: &Problem, found: &Search, work: &mut Workspace) ->
         .collect()
 }
 
-/// Sets that are compared when rows are drawn again.
-const MOST_COMPARED: usize = 12;
-
 /// How often each set leads.
 struct Stability {
     /// Share of bootstrap samples of the rows.
@@ -62,7 +56,7 @@ struct Stability {
 
 impl Stability {
     fn new(problem: &Problem, sets: &[Scored], work: &mut Workspace) -> Self {
-        let compared = &sets[..sets.len().min(MOST_COMPARED)];
+        let compared = &sets[..sets.len().min(thresholds::MOST_COMPARED)];
         let by_row = compared.iter().map(|set| {
             let at = problem.evaluate(&set.fit.effects, &set.fit.theta, &mut work.memory);
             let mut rows = vec![0.0; problem.rows.len()];

@@ -16,8 +16,6 @@ use crate::estimation::gap::Slice;
 use crate::model::row::Row;
 use crate::thresholds;
 
-/// Most levels, or bands, of a dataset: equal steps of the logarithm.
-const MOST: usize = 4;
 /// From fits to all rows the rest needs few steps.
 const EFFORT: Effort = Effort {
     most_steps: 4,
@@ -155,19 +153,19 @@ fn groups(values: &[f64]) -> Vec<Group> {
     if highest <= 1.01 * lowest {
         return Vec::new();
     }
-    let step = (highest / lowest).ln() / MOST as f64;
+    let step = (highest / lowest).ln() / thresholds::MOST_SLICES as f64;
     // Levels that were held alike are one level.
     let place = |value: f64| {
         let alike =
             ((value / lowest).ln() / thresholds::LEVELS_ALIKE).round() * thresholds::LEVELS_ALIKE;
-        ((alike / step + 1e-9) as usize).min(MOST - 1)
+        ((alike / step + 1e-9) as usize).min(thresholds::MOST_SLICES - 1)
     };
     let of = |at: usize| {
         let inside: Vec<f64> = values.iter().copied().filter(|v| place(*v) == at).collect();
         let (from, to) = range(&inside);
         (!inside.is_empty()).then_some(Group { from, to })
     };
-    (0..MOST).filter_map(of).collect()
+    (0..thresholds::MOST_SLICES).filter_map(of).collect()
 }
 
 #[cfg(test)]

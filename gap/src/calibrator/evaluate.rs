@@ -112,7 +112,7 @@ impl Problem {
     }
 
     /// Evaluates a small step aside: starts from the memory and leaves it as it is.
-    pub(crate) fn evaluate_aside(
+    pub(crate) fn evaluate_beside(
         &self,
         effects: &[Active<'_>],
         theta: &[f64],

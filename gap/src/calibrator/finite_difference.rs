@@ -36,7 +36,7 @@ pub(super) fn parameter_slopes(
     } else {
         let mut effects = fit.effects.clone();
         effects[at] = there;
-        let there = problem.evaluate_aside(&effects, &fit.theta, &work.memory);
+        let there = problem.evaluate_beside(&effects, &fit.theta, &work.memory);
         if here.weight != there.weight {
             let logarithms = [here, &there].map(Evaluation::variance_ln);
             let [here, there] = &logarithms;
@@ -57,23 +57,23 @@ fn acts_alone(fit: &Fit, at: usize) -> bool {
 
 /// Slopes against exciter and level where the exciter is nonlinear: its
 /// harmonics depend on them too, and on more than the linear response does.
-pub(super) fn bent_columns(
+pub(super) fn nonlinear_columns(
     problem: &Problem,
     fit: &Fit,
     evaluation: &Evaluation,
     columns: &mut [Column],
     work: &Workspace,
 ) {
-    let aside = |index: usize| {
+    let finite_difference = |index: usize| {
         let mut theta = fit.theta.clone();
         theta[index] += thresholds::NUISANCE_STEP;
-        let there = problem.evaluate_aside(&fit.effects, &theta, &work.memory);
+        let there = problem.evaluate_beside(&fit.effects, &theta, &work.memory);
         column(problem, evaluation, &there, thresholds::NUISANCE_STEP)
     };
     let mut level = None;
     for (index, free) in problem.free.iter().enumerate() {
         if matches!(free.kind, Nuisance::Exciter(_) | Nuisance::DriveGain) {
-            columns[index] = aside(index);
+            columns[index] = finite_difference(index);
         }
         if free.kind == Nuisance::DriveGain && free.bounded {
             level = Some(index);
@@ -91,7 +91,7 @@ pub(super) fn bent_columns(
                 let units = free.unit / problem.free[level].unit;
                 of_run(problem, &columns[level], &columns[index], run, units)
             }
-            None => aside(index),
+            None => finite_difference(index),
         };
     }
 }

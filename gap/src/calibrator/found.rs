@@ -8,9 +8,6 @@ use crate::effects::{Shows, library};
 use crate::thresholds;
 use std::rc::Rc;
 
-/// Singles from which pairs are grown.
-const BASES: usize = 7;
-
 /// All fits so far.
 pub(super) struct Found<'a> {
     problem: &'a Problem,
@@ -157,7 +154,7 @@ impl<'a> Found<'a> {
         for fit in list {
             let first = fit.effects.first();
             let kind = first.map_or(Shows::Response, |e| e.effect.shows()) as usize;
-            if kept.len() < BASES || of_kind[kind] < 2 {
+            if kept.len() < thresholds::BASES || of_kind[kind] < thresholds::BASES_OF_A_KIND {
                 of_kind[kind] += 1;
                 kept.push(fit);
             }

@@ -19,7 +19,7 @@ pub(crate) fn split(problem: &Problem, rig: &Rig) -> (Problem, Problem) {
 /// Every third frequency; every third row where there are few frequencies.
 pub(crate) fn held_out(problem: &Problem) -> Vec<bool> {
     let frequencies = &problem.facts.frequencies_hz;
-    if frequencies.len() < 9 {
+    if frequencies.len() < thresholds::FEWEST_FREQUENCIES {
         return (0..problem.rows.len()).map(|i| i % 3 == 1).collect();
     }
     problem

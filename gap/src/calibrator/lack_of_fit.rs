@@ -290,9 +290,9 @@ mod tests {
     use super::*;
 
     /// A gain that is off by one of its standard uncertainties costs 1 in the sum of squares, and
-    /// any search may stop there. No structure is left by it.
+    /// any search may stop there. No lack of fit comes of it.
     #[test]
-    fn where_a_search_stops_is_no_structure() {
+    fn where_a_search_stops_is_no_lack_of_fit() {
         let (rig, points) = measured(&[]);
         let problem = Problem::new(&rig, &points);
         let mut work = Workspace::new(&problem);

@@ -2,7 +2,7 @@
 
 use super::closed_form::nuisance_columns;
 use super::evaluation::{Evaluation, Responses};
-use super::finite_difference::{bent_columns, parameter_slopes};
+use super::finite_difference::{nonlinear_columns, parameter_slopes};
 use super::fit::{Fit, Workspace};
 use super::problem::{Column, Problem, Tangent};
 use crate::estimation::tangent::Equations;
@@ -41,12 +41,12 @@ impl Linearised {
         lagging: Option<&Slopes>,
         work: &Workspace,
     ) -> Self {
-        let bent = fit.effects.iter().any(|e| e.effect.bends());
-        let lagging = lagging.filter(|_| bent);
+        let nonlinear = fit.effects.iter().any(|e| e.effect.makes_nonlinear());
+        let lagging = lagging.filter(|_| nonlinear);
         let earlier = |index: usize| lagging.and_then(|s| s.column(problem, index, &evaluation));
         let mut columns = nuisance_columns(problem, &evaluation, responses, &fit.theta);
-        if bent && lagging.is_none() {
-            bent_columns(problem, fit, &evaluation, &mut columns, work);
+        if nonlinear && lagging.is_none() {
+            nonlinear_columns(problem, fit, &evaluation, &mut columns, work);
         }
         for (index, column) in columns.iter_mut().enumerate() {
             if let Some(earlier) = earlier(index) {
@@ -213,16 +213,16 @@ mod tests {
     /// Where a tone is many times too small, a step cannot bring more than there is. By the expected curvature alone
     /// it promised hundreds of times as much, and each damping was tried in vain.
     #[test]
-    fn no_step_of_a_variance_promises_more_than_there_is() {
+    fn no_step_of_a_variance_predicts_more_gain_than_there_is() {
         let (problem, fit) = scattered(0.2);
         let mut work = Workspace::new(&problem);
         let there = Linearised::new(&problem, &fit, &mut work);
         let equations = there.equations(&problem);
         let step = equations.step(1e-4).expect("it has slopes");
-        let (promised, left) = (equations.predicted(&step), there.evaluation.objective);
+        let (predicted, left) = (equations.predicted(&step), there.evaluation.objective);
         assert!(
-            promised > 0.01 * left && promised < left,
-            "{promised} of {left}"
+            predicted > 0.01 * left && predicted < left,
+            "{predicted} of {left}"
         );
     }
 

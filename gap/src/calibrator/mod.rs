@@ -101,7 +101,7 @@ pub(crate) fn diagnose_points(
     let again = Unseen::new(dataset, &quietened, validate, &limits_there, before);
     let found = heard_search(&quietened, &limits_there, &again);
     // Rows that stand out beside a structure that stays belong to it.
-    if noise.is_of_rows_only() && leaves_structure(&quietened, found.best()) {
+    if noise.is_of_rows_only() && shows_lack_of_fit(&quietened, found.best()) {
         return stated(summary);
     }
     Diagnosis::new(&quietened, &again, Some(&noise), &found).answer(summary)
@@ -111,12 +111,12 @@ pub(crate) fn diagnose_points(
 fn heard_search(problem: &Problem, limits: &Limits, unseen: &Unseen<'_>) -> Search {
     let mut found = search_from(problem, limits, unseen.searched());
     unseen.veto(problem, &mut found);
-    if limits.most_effects < limits.where_structure_is_left {
+    if limits.most_effects < limits.most_beside_lack_of_fit {
         // More names than are asked for have to describe all of the data: of a cause with another form than ours
         // the next effects would only be corrections, which are small.
         found.strike(|fit| {
             fit.effects.len() <= limits.most_effects
-                || !leaves_structure(problem, fit)
+                || !shows_lack_of_fit(problem, fit)
                 || unseen.needs_each(problem, fit)
         });
     }
@@ -124,7 +124,7 @@ fn heard_search(problem: &Problem, limits: &Limits, unseen: &Unseen<'_>) -> Sear
 }
 
 /// Whether a fit leaves more than noise.
-fn leaves_structure(problem: &Problem, fit: &Fit) -> bool {
+fn shows_lack_of_fit(problem: &Problem, fit: &Fit) -> bool {
     let left = examine(problem, fit, &mut Workspace::new(problem));
     left.p_value < thresholds::UNEXPLAINED_P_VALUE
 }

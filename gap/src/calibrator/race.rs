@@ -28,7 +28,11 @@ fn refined(problem: &Problem, plan: &Plan, effort: Effort, work: &mut Workspace)
     let base = shifted(problem, &plan.base.fit, predicted_gain, work);
     let effect = library()[predicted_gain.entry];
     // A second bend changes the slopes of the first.
-    let slopes = plan.base.slopes.as_ref().filter(|_| !effect.bends());
+    let slopes = plan
+        .base
+        .slopes
+        .as_ref()
+        .filter(|_| !effect.makes_nonlinear());
     let effects = with(
         &base,
         predicted_gain.entry,
@@ -36,7 +40,7 @@ fn refined(problem: &Problem, plan: &Plan, effort: Effort, work: &mut Workspace)
     );
     let theta = base.theta.clone();
     let fit = refine_with(problem, effects, theta, slopes, effort, work);
-    if effect.bends() && base.effects.is_empty() {
+    if effect.makes_nonlinear() && base.effects.is_empty() {
         of_other_size(problem, predicted_gain.entry, fit, effort, work)
     } else {
         fit

@@ -88,9 +88,6 @@ pub(crate) fn follow(
     fit
 }
 
-/// Accepted steps between renewals of the slopes of a nonlinear exciter.
-const RENEWAL: usize = 4;
-
 /// Damped steps until the objective stands still; the first takes `slopes` where there are any.
 fn descend(
     problem: &Problem,
@@ -155,7 +152,7 @@ impl LeastSquares for Descent<'_> {
     fn equations(&mut self, at: &Place) -> Option<Equations> {
         let lagging = match self.taken {
             0 => self.first,
-            taken if taken % RENEWAL == 0 => None,
+            taken if taken % thresholds::RENEWAL == 0 => None,
             _ => self.lagging.as_ref(),
         };
         self.taken += 1;

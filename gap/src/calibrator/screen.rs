@@ -12,9 +12,6 @@ use super::settled::gradient;
 use crate::effects::library;
 use crate::thresholds;
 
-/// Starts of an effect that are simulated where no slopes tell what they change.
-const NEAREST: usize = 2;
-
 /// All starts of all effects that apply, with their changes at the nominal fit.
 pub(crate) struct Candidates {
     list: Vec<Candidate>,
@@ -154,22 +151,24 @@ impl Candidates {
 /// values.
 fn is_moved(problem: &Problem, fit: &Fit) -> bool {
     let mut nuisances = problem.free.iter().zip(&fit.theta);
-    fit.effects.iter().any(|e| e.effect.bends())
+    fit.effects.iter().any(|e| e.effect.makes_nonlinear())
         || nuisances.any(|(free, value)| {
             matches!(free.kind, Nuisance::Exciter(_)) && value.abs() > thresholds::EXCITER_PULLED
         })
 }
 
-/// Starts of each effect that promise most by their changes at the nominal fit.
+/// Starts of each effect with the largest predicted gains at the nominal fit.
 fn nearest(
     starts: Vec<&Candidate>,
     gain: impl Fn(&Candidate) -> Option<PredictedGain>,
 ) -> impl Iterator<Item = &Candidate> {
-    let promised = |start| gain(start).map_or(f64::NEG_INFINITY, |p| p.gain);
-    let mut starts: Vec<(f64, &Candidate)> = starts.into_iter().map(|s| (promised(s), s)).collect();
+    let predicted = |start| gain(start).map_or(f64::NEG_INFINITY, |p| p.gain);
+    let mut starts: Vec<(f64, &Candidate)> =
+        starts.into_iter().map(|s| (predicted(s), s)).collect();
     starts.sort_by(|(a, one), (b, other)| one.entry.cmp(&other.entry).then(b.total_cmp(a)));
     let of_effects = starts.chunk_by(|(_, one), (_, other)| one.entry == other.entry);
-    let nearest = of_effects.flat_map(|starts| &starts[..starts.len().min(NEAREST)]);
+    let nearest =
+        of_effects.flat_map(|starts| &starts[..starts.len().min(thresholds::NEAREST_STARTS)]);
     let nearest: Vec<&Candidate> = nearest.map(|(_, start)| *start).collect();
     nearest.into_iter()
 }
@@ -232,7 +231,7 @@ mod tests {
         };
         let chosen: Vec<_> = nearest(all.iter().collect(), gain).collect();
         let starts = |entry: usize| all.iter().filter(move |of| of.entry == entry).count();
-        assert!((0..library().len()).any(|entry| starts(entry) > NEAREST));
+        assert!((0..library().len()).any(|entry| starts(entry) > thresholds::NEAREST_STARTS));
         for entry in 0..library().len() {
             let ranks = chosen
                 .iter()

@@ -15,14 +15,6 @@ use crate::thresholds;
 use std::path::Path;
 use std::rc::Rc;
 
-/// Sets that are struck, before what comes up next is only the nearest of what does not stand.
-const MOST_STRUCK: usize = 12;
-/// Pairs refined fully.
-const MOST_PAIRS: usize = 14;
-/// Leading sets that are grown where they leave structure, and larger sets that are refined a round.
-const LEADERS: usize = 2;
-const MOST_LARGER: usize = 6;
-
 /// All sets that were refined, best first.
 pub(crate) struct Search {
     /// The fit without effects.
@@ -39,7 +31,7 @@ impl Search {
         let (mut at, mut struck) = (0, 0);
         while let Some(set) = self.sets.get(at)
             && set.probability >= thresholds::LISTED_PROBABILITY
-            && struck < MOST_STRUCK
+            && struck < thresholds::MOST_STRUCK
         {
             if set.fit.effects.is_empty() || stands(&set.fit) {
                 at += 1;
@@ -78,13 +70,13 @@ struct Growth {
 }
 
 impl Growth {
-    /// Beyond the usual size a set is grown only where it leaves structure.
+    /// Beyond the usual size a set is grown only where it shows lack of fit.
     fn new(size: usize, beyond: bool) -> Self {
-        let shows = thresholds::SHOWS_STRUCTURE;
+        let shows = thresholds::SHOWS_LACK_OF_FIT;
         let usual = Self {
             size,
             beyond,
-            most: MOST_PAIRS,
+            most: thresholds::MOST_PAIRS,
             bases: usize::MAX,
             floor: thresholds::WORTH_ADDING,
             least: thresholds::WORTH_REFINING,
@@ -95,11 +87,11 @@ impl Growth {
             return usual;
         }
         Self {
-            most: MOST_LARGER,
-            bases: LEADERS,
+            most: thresholds::MOST_LARGER,
+            bases: thresholds::LEADERS,
             floor: shows,
             least: shows,
-            share: thresholds::PROMISED,
+            share: thresholds::PREDICTED_SHARE,
             worth: shows,
             ..usual
         }
@@ -336,13 +328,6 @@ pub fn misfit(folder: &Path, effects: &[&str]) -> Result<f64, GapError> {
     Ok(each.fold(found.nominal.objective, f64::min))
 }
 
-/// Effects at a time that are tried where fewer leave structure.
-const MOST: usize = 4;
-/// Data for each of them: with fewer three effects describe any table.
-const DATA_PER_EFFECT: usize = 20;
-/// Data for each of two, which have two values each: with fewer they pass through all points.
-const FEWEST_PER_EFFECT: usize = 6;
-
 /// Limits of a search.
 #[derive(Debug, Clone)]
 pub(crate) struct Limits {
@@ -352,8 +337,8 @@ pub(crate) struct Limits {
     pub(crate) most_effects: usize,
     /// Whether somebody stated that number.
     pub(crate) is_stated: bool,
-    /// Largest number where fewer leave structure.
-    pub(crate) where_structure_is_left: usize,
+    /// Largest number where fewer show lack of fit.
+    pub(crate) most_beside_lack_of_fit: usize,
 }
 
 impl Limits {
@@ -367,23 +352,28 @@ impl Limits {
             allowed,
             most_effects: names.len(),
             is_stated: true,
-            where_structure_is_left: names.len(),
+            most_beside_lack_of_fit: names.len(),
         }
     }
 
-    /// Largest number of effects that so many data can tell apart, if fewer leave structure.
+    /// Largest number of effects that so many data can tell apart, if fewer show lack of fit.
     pub(crate) fn most_of(&self, data: usize) -> usize {
         if self.is_stated {
             return self.most_effects;
         }
-        let usual = self.most_effects.min((data / FEWEST_PER_EFFECT).max(1));
-        usual.max(self.where_structure_is_left.min(data / DATA_PER_EFFECT))
+        let usual = self
+            .most_effects
+            .min((data / thresholds::FEWEST_PER_EFFECT).max(1));
+        usual.max(
+            self.most_beside_lack_of_fit
+                .min(data / thresholds::DATA_PER_EFFECT),
+        )
     }
 
     /// The same without the third and fourth effect: what rows remember of those before looks like one.
     pub(crate) fn without_more(&self) -> Self {
         Self {
-            where_structure_is_left: self.most_effects,
+            most_beside_lack_of_fit: self.most_effects,
             ..self.clone()
         }
     }
@@ -396,7 +386,7 @@ impl Limits {
             allowed: allowed.collect(),
             most_effects: options.usual_effects(),
             is_stated: options.most_effects.is_some(),
-            where_structure_is_left: options.most_effects.unwrap_or(MOST),
+            most_beside_lack_of_fit: options.most_effects.unwrap_or(thresholds::MOST_EFFECTS),
         }
     }
 }

@@ -38,7 +38,7 @@ impl Settled {
 }
 
 /// Whether a step leads beyond a bound by more than noise does. By less it may: what is left of a
-/// value that stays, though the data have it a little farther out, would look like structure.
+/// value that stays, though the data have it a little farther out, would look like lack of fit.
 fn leaves_bounds(movable: &DVector<f64>, tangent: &Tangent, step: &DVector<f64>) -> bool {
     if movable.iter().all(|moves| *moves == 1.0) {
         return false;

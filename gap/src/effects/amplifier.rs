@@ -27,7 +27,7 @@ impl Effect for Amplifier {
             Self::EvenOrder => &amplifier::EVEN_ORDER,
         }
     }
-    fn bends(&self) -> bool {
+    fn makes_nonlinear(&self) -> bool {
         true
     }
     fn saturates(&self) -> bool {

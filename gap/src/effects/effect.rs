@@ -98,13 +98,13 @@ pub(crate) trait Effect: Sync {
     }
 
     /// Whether the exciter becomes nonlinear.
-    fn bends(&self) -> bool {
+    fn makes_nonlinear(&self) -> bool {
         false
     }
 
     /// Whether it makes harmonics, of the exciter or of a channel.
     fn distorts(&self) -> bool {
-        self.bends()
+        self.makes_nonlinear()
     }
 
     /// Whether the response depends on level so steeply that the gain of each run matters.
@@ -119,7 +119,7 @@ pub(crate) trait Effect: Sync {
 
     /// Where it shows.
     fn shows(&self) -> Shows {
-        match (self.scatters(), self.bends()) {
+        match (self.scatters(), self.makes_nonlinear()) {
             (true, _) => Shows::Noise,
             (_, true) => Shows::Harmonics,
             _ => Shows::Response,

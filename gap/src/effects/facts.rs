@@ -3,6 +3,7 @@
 use crate::dataset::ExciterParameters;
 use crate::model::row::Row;
 use crate::observable::{Channel, Group, Observable};
+use crate::thresholds;
 use std::f64::consts::SQRT_2;
 
 /// Observables and ranges of a dataset.
@@ -64,8 +65,7 @@ fn span(values: impl Iterator<Item = f64>) -> (f64, f64) {
 fn excess_v(row: &Row, channel: Channel, healthy_v: f64) -> Option<f64> {
     let noise = Observable::noise(channel);
     let power_v2 = (2.0 * row.value[noise]).exp() - healthy_v * healthy_v;
-    // Scatter of 1 % about the healthy noise is no excess.
-    let counts = power_v2 > 0.05 * healthy_v * healthy_v;
+    let counts = power_v2 > thresholds::NOISE_EXCESS * healthy_v * healthy_v;
     row.u[noise]
         .is_finite()
         .then_some(if counts { power_v2.sqrt() } else { 0.0 })
@@ -105,8 +105,6 @@ fn excess_noise_s(rows: &[Row], healthy_v: f64) -> f64 {
     median(scatter_s)
 }
 
-/// Least ratio of two voltages between which a range may end: less is the scatter of one level.
-const APART: f64 = 1.1;
 /// Places between voltages that are kept, those of the widest gaps.
 const MOST_PLACES: usize = 16;
 
@@ -116,7 +114,9 @@ fn between_v(rows: &[Row], channel: usize) -> Vec<f64> {
     let mut peaks_v: Vec<f64> = peaks.filter(|v| *v > 0.0).collect();
     peaks_v.sort_by(f64::total_cmp);
     let gaps = peaks_v.windows(2).map(|pair| (pair[1] / pair[0], pair[0]));
-    let mut gaps: Vec<(f64, f64)> = gaps.filter(|(ratio, _)| *ratio > APART).collect();
+    let mut gaps: Vec<(f64, f64)> = gaps
+        .filter(|(ratio, _)| *ratio > thresholds::APART)
+        .collect();
     gaps.sort_by(|a, b| b.0.total_cmp(&a.0));
     gaps.truncate(MOST_PLACES);
     gaps.iter()
@@ -159,12 +159,13 @@ impl Facts {
             dut_dc: any(Observable::DutDc),
             ref_noise: any(Observable::RefNoise),
             dut_noise: any(Observable::DutNoise),
-            rotation_varies: varies(|r| r.rotation.0, 0.05) || varies(|r| r.rotation.1, 0.05),
-            temperature_varies: varies(|r| r.warmer_k, 0.05),
+            rotation_varies: varies(|r| r.rotation.0, thresholds::VARIES)
+                || varies(|r| r.rotation.1, thresholds::VARIES),
+            temperature_varies: varies(|r| r.warmer_k, thresholds::VARIES),
             payload_stated: rows.iter().any(|r| r.payload_stated),
             payload_varies: varies(|r| r.payload_kg, 1e-4),
             level_known: highest_ms2 > 0.0,
-            level_varies: highest_ms2 > 1.2 * lowest_ms2,
+            level_varies: highest_ms2 > thresholds::LEVELS_VARY * lowest_ms2,
             lowest_hz,
             highest_hz,
             longest_s: over(|r| r.time_s).1,
@@ -180,7 +181,7 @@ impl Facts {
             excess_noise_v: Channel::BOTH.map(|channel| excess_noise_v(rows, channel, noise_v)),
             excess_noise_s: excess_noise_s(rows, noise_v),
             ms2_per_v: [highest_ms2 / reference_v.1, highest_ms2 / dut_v.1],
-            tilt_varies: varies(|r| r.vertical, 0.05),
+            tilt_varies: varies(|r| r.vertical, thresholds::VARIES),
             block_known: rows.iter().any(|r| r.bin_hz.is_finite()),
             exciter_known: exciter.is_some(),
             mass_kg: of_exciter(|e| e.moving_mass_kg),

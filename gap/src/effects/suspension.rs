@@ -40,7 +40,7 @@ impl Effect for Suspension {
             _ => self.entry().parameters,
         }
     }
-    fn bends(&self) -> bool {
+    fn makes_nonlinear(&self) -> bool {
         true
     }
     fn applies(&self, facts: &Facts) -> bool {

@@ -1,6 +1,7 @@
 //! Least squares by Levenberg and Marquardt: one loop for whatever can be fitted.
 
 use super::tangent::Equations;
+use crate::thresholds;
 use nalgebra::DVector;
 
 /// Free values of a fit: parameters with their bounds, and the data they are to describe.
@@ -33,7 +34,7 @@ pub(crate) trait LeastSquares {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Effort {
     pub(crate) most_steps: usize,
-    /// Objective that has to be reached in the first [`GLANCE`] steps.
+    /// Objective that has to be reached in the first [`thresholds::GLANCE`] steps.
     pub(crate) within: f64,
     /// Gain of the objective below which a step is small.
     pub(crate) enough: f64,
@@ -47,8 +48,6 @@ pub(crate) struct Effort {
     pub(crate) leap: f64,
 }
 
-/// Steps that are enough to see whether a fit is within reach.
-const GLANCE: usize = 5;
 /// Damping from which the factor after a step that did not help is ten.
 const DAMPED: f64 = 1e-2;
 /// Least damping.
@@ -65,7 +64,7 @@ pub(crate) fn descend<M: LeastSquares>(
     let mut equations = model.equations(&here)?;
     let mut small = 0;
     for taken in 0..effort.most_steps {
-        if taken == GLANCE && model.objective(&here) >= effort.within {
+        if taken == thresholds::GLANCE && model.objective(&here) >= effort.within {
             break;
         }
         let Some(step) = equations.step(damping) else {
@@ -74,7 +73,7 @@ pub(crate) fn descend<M: LeastSquares>(
         };
         let before = model.objective(&here);
         let worth = effort.enough.max(effort.share * model.beyond_noise(&here));
-        let promised = model.gain(&here, equations.predicted(&step));
+        let predicted = model.gain(&here, equations.predicted(&step));
         let there = model.moved(&here, &step);
         match there.filter(|there| model.objective(there) < before) {
             Some(there) => {
@@ -87,8 +86,8 @@ pub(crate) fn descend<M: LeastSquares>(
                 }
                 equations = model.equations(&here)?;
             }
-            // More damping promises less still.
-            None if promised < worth => break,
+            // A step damped more is predicted to gain less still.
+            None if predicted < worth => break,
             None if damping < DAMPED => damping *= effort.leap,
             None => damping *= 10.0,
         }
@@ -167,7 +166,7 @@ mod tests {
     /// Where the best rate is known to its last digit no step helps, and none promises anything: eleven were tried
     /// with ever more damping.
     #[test]
-    fn where_no_step_promises_anything_none_is_damped() {
+    fn where_no_gain_is_predicted_no_step_is_damped() {
         let mut decay = decay(1.5);
         let disturbed = decay.measured.iter_mut().enumerate();
         disturbed.for_each(|(n, m)| *m += 0.1 * ((n % 3) as f64).sin());
@@ -196,8 +195,13 @@ mod tests {
                 ..EFFORT
             };
             descend(&mut decay, 0.0, effort).expect("it has slopes");
-            assert_eq!(decay.steps_tried > GLANCE, goes_on, "{}", decay.steps_tried);
-            assert!(decay.steps_tried >= GLANCE);
+            assert_eq!(
+                decay.steps_tried > thresholds::GLANCE,
+                goes_on,
+                "{}",
+                decay.steps_tried
+            );
+            assert!(decay.steps_tried >= thresholds::GLANCE);
         }
     }
 }

@@ -59,13 +59,13 @@ impl Row {
         let is_near =
             |a: f64, b: f64, by: f64| a == b || (a - b).abs() <= by * a.abs().max(b.abs());
         let same_level = self.level_ms2.is_nan() && other.level_ms2.is_nan()
-            || is_near(self.level_ms2, other.level_ms2, 0.02);
+            || is_near(self.level_ms2, other.level_ms2, thresholds::LEVEL_REPEATED);
         same_level
             && is_near(self.frequency_hz, other.frequency_hz, 1e-6)
             && is_near(self.payload_kg, other.payload_kg, 1e-6)
             && self.rotation == other.rotation
             && self.vertical == other.vertical
-            && (self.warmer_k - other.warmer_k).abs() < 1.0
+            && (self.warmer_k - other.warmer_k).abs() < thresholds::REPEATED_K
     }
 
     /// Prepares a point.

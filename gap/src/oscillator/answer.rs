@@ -115,9 +115,9 @@ fn place(verdict: Verdict, steps: &[Step], held: &Run) -> Vec<Where> {
     let [odd, even, linear] = [Parity::Odd, Parity::Even, Parity::Linear].map(strongest);
     let class = if linear > odd.max(even) {
         "frequency"
-    } else if even < 0.1 * odd {
+    } else if even < thresholds::OTHER_PARITY * odd {
         "odd"
-    } else if odd < 0.1 * even {
+    } else if odd < thresholds::OTHER_PARITY * even {
         "even"
     } else {
         "odd and even"

@@ -13,8 +13,6 @@ use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// Samples at the start that only settle the state.
-pub(super) const SETTLING: usize = 50;
 /// Samples at the end beyond which the interpolation of the input would have to look.
 const ENDING: usize = REACH;
 
@@ -218,8 +216,11 @@ fn judged(record: &Run) -> Range<usize> {
     if !record.driven {
         return 0..samples;
     }
-    let end = samples.saturating_sub(ENDING).max(SETTLING).min(samples);
-    SETTLING.min(end)..end
+    let end = samples
+        .saturating_sub(ENDING)
+        .max(thresholds::SETTLING)
+        .min(samples);
+    thresholds::SETTLING.min(end)..end
 }
 
 /// Of values at the samples of a record those that a fit is judged by.
@@ -237,11 +238,6 @@ pub(super) fn scale_of(record: &Run) -> f64 {
     rms(&record.output).max(f64::MIN_POSITIVE)
 }
 
-/// Steps of the fits that lead.
-pub(super) const MOST_STEPS: usize = 10;
-/// Sets that are refined to the end.
-pub(super) const REFINED: usize = 5;
-
 /// Halves the steps of the integration until its error is small beside what the best set leaves,
 /// and fits the leading sets anew.
 pub(super) fn integrate_finely(run: Run, tried: &mut [Fitted]) -> Run {
@@ -255,9 +251,11 @@ pub(super) fn integrate_finely(run: Run, tried: &mut [Fitted]) -> Run {
             break;
         }
         run = finer;
-        let leading = tried.len().min(REFINED);
+        let leading = tried.len().min(thresholds::MOST_REFINED);
         tried[..leading].par_iter_mut().for_each(|fit| {
-            if let Some(mut further) = refine(&run, fit.values, &fit.terms, MOST_STEPS) {
+            if let Some(mut further) =
+                refine(&run, fit.values, &fit.terms, thresholds::STEPS_OF_LEADING)
+            {
                 // Half the steps err by half at most, a kink included.
                 further.integration = 0.5 * off;
                 *fit = further;

@@ -1,6 +1,6 @@
 //! One term at a time: what is tried, and when it stops.
 
-use super::fit::{Fitted, MOST_STEPS, REFINED, compared, integrate_finely, refine};
+use super::fit::{Fitted, compared, integrate_finely, refine};
 use super::holdout::square_on;
 use super::lack_of_fit::{Left, examine};
 use super::model::{TERMS, shows};
@@ -11,11 +11,6 @@ use crate::estimation::verdict::stands;
 use crate::options::Options;
 use crate::thresholds;
 use rayon::prelude::*;
-
-/// Steps after which terms are compared.
-const FIRST_STEPS: usize = 4;
-/// Steps of the fit that leads; most need one or two of them.
-const TO_THE_END: usize = 40;
 
 /// From the linear oscillator on, the best term is added until none is worth a name; what is `held` out has
 /// a veto.
@@ -86,7 +81,7 @@ fn tried(run: &Run, base: &Fitted, far: Option<Fitted>, options: &Options) -> Ve
     let with = |t: usize| {
         let terms = [base.terms.as_slice(), &[t]].concat();
         let start = begin(&coarse, &base.values, t);
-        let near = refine(&coarse, start, &terms, FIRST_STEPS);
+        let near = refine(&coarse, start, &terms, thresholds::FIRST_STEPS);
         let far = far.clone().filter(|far| far.terms == terms);
         near.into_iter()
             .chain(far)
@@ -97,16 +92,16 @@ fn tried(run: &Run, base: &Fitted, far: Option<Fitted>, options: &Options) -> Ve
         .collect();
     let mut tried: Vec<Fitted> = free.into_par_iter().filter_map(with).collect();
     tried.sort_by(|a, b| a.square.total_cmp(&b.square));
-    let leading = tried.len().min(REFINED);
+    let leading = tried.len().min(thresholds::MOST_REFINED);
     tried[..leading].par_iter_mut().for_each(|fit| {
-        if let Some(further) = refine(run, fit.values, &fit.terms, MOST_STEPS) {
+        if let Some(further) = refine(run, fit.values, &fit.terms, thresholds::STEPS_OF_LEADING) {
             *fit = further;
         }
     });
     tried.sort_by(|a, b| a.square.total_cmp(&b.square));
     // Of what a fit that ends early leaves, a further term would take its share.
     if let Some(best) = tried.first_mut()
-        && let Some(further) = refine(run, best.values, &best.terms, TO_THE_END)
+        && let Some(further) = refine(run, best.values, &best.terms, thresholds::STEPS_TO_THE_END)
     {
         *best = further;
     }
@@ -122,7 +117,7 @@ fn without_one(run: &Run, set: &Fitted, steps: &[Step], left: &Left, held: &Run)
         let mut values = set.values;
         TERMS[*term].values.iter().for_each(|v| values[*v] = 0.0);
         let kept: Vec<usize> = set.terms.iter().copied().filter(|t| t != term).collect();
-        refine(run, values, &kept, MOST_STEPS)
+        refine(run, values, &kept, thresholds::STEPS_OF_LEADING)
     });
     let mut less: Vec<Fitted> = less
         .filter(|fit| fit.square < last.fit.square && !worth(fit, set, left))

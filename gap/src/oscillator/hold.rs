@@ -3,11 +3,12 @@
 //! A converter holds what it puts out; the samples of a sensor are those of a smooth signal. No file says which of the
 //! two its input is. One taken for the other is a delay of half a sample that nothing at the rig causes.
 
-use super::fit::{Fitted, MOST_STEPS, refine};
+use super::fit::{Fitted, refine};
 use super::grow::grow;
 use super::model_selection::{Step, cost_of_last};
 use super::run::Run;
 use crate::options::Options;
+use crate::thresholds;
 
 /// Terms one at a time, with an input that is smooth, and with one that is held where that describes the record
 /// better: whichever comes out more probable.
@@ -23,7 +24,14 @@ pub(super) fn grown(
         return smooth;
     };
     let (first, last) = (&smooth.0[0].fit, &smooth.0[smooth.0.len() - 1].fit);
-    let anew = |fit: &Fitted| refine(&holding, fit.values, &fit.terms, MOST_STEPS);
+    let anew = |fit: &Fitted| {
+        refine(
+            &holding,
+            fit.values,
+            &fit.terms,
+            thresholds::STEPS_OF_LEADING,
+        )
+    };
     let suits = |fit: &Fitted| anew(fit).is_some_and(|held| held.square < fit.square);
     match anew(first) {
         Some(start) if start.square < first.square || suits(last) => {

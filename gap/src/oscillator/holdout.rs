@@ -1,6 +1,6 @@
 //! How far the error shrinks on a record that took no part.
 
-use super::fit::{Fitted, SETTLING, compared, descend_from, residual, rms};
+use super::fit::{Fitted, compared, descend_from, residual, rms};
 use super::model::states;
 use super::model_selection::{Step, names_of};
 use super::parameters::Parameter;
@@ -10,12 +10,8 @@ use super::slices;
 use crate::dataset::{Dataset, Measured, Record};
 use crate::error::GapError;
 use crate::estimation::gap::{Gap, ObservableGap};
+use crate::thresholds;
 use std::collections::BTreeMap;
-
-/// Longest part of a record that is fitted, in samples.
-const MOST_FITTED: usize = 20_000;
-/// Share of a record, in quarters, that may be fitted where there is no other one.
-const FITTED_QUARTERS: usize = 3;
 
 /// The part to fit, and what takes no part: another record, or the last quarter of this one.
 ///
@@ -24,15 +20,21 @@ const FITTED_QUARTERS: usize = 3;
 pub(super) fn parts(record: &Record, validate: Option<&Dataset>) -> Result<[Record; 2], GapError> {
     match validate.map(|v| &v.measured) {
         Some(Measured::Record(other)) => Ok([
-            cut(record, 0, record.input.len().min(MOST_FITTED)),
+            cut(record, 0, record.input.len().min(thresholds::MOST_FITTED)),
             other.clone(),
         ]),
         Some(Measured::Points { .. }) => Err(GapError::Usage(
             "--validate needs a record of an oscillator too".into(),
         )),
         None => {
-            let (at, end) = (record.input.len() * FITTED_QUARTERS / 4, record.input.len());
-            Ok([cut(record, 0, at.min(MOST_FITTED)), cut(record, at, end)])
+            let (at, end) = (
+                record.input.len() * thresholds::FITTED_QUARTERS / 4,
+                record.input.len(),
+            );
+            Ok([
+                cut(record, 0, at.min(thresholds::MOST_FITTED)),
+                cut(record, at, end),
+            ])
         }
     }
 }
@@ -50,7 +52,11 @@ fn cut(record: &Record, from: usize, to: usize) -> Record {
 const HEAD: usize = 400;
 /// Samples that are looked at one after the other, with the steps on each. A few of them first:
 /// over many periods a bent spring's phase has more than one solution.
-const LOOKED_AT: [(usize, usize); 3] = [(SETTLING / 4, 2), (SETTLING / 2, 1), (SETTLING, 3)];
+const LOOKED_AT: [(usize, usize); 3] = [
+    (thresholds::SETTLING / 4, 2),
+    (thresholds::SETTLING / 2, 1),
+    (thresholds::SETTLING, 3),
+];
 
 /// Simulation errors on another record, of which only the state at the start is fitted; `None`
 /// where the simulation diverges. Where it goes on behind the one that was fitted, `part`, the linear
@@ -158,13 +164,10 @@ fn noise_floor(record: &Run) -> f64 {
     sizes[sizes.len() / 2] / 0.6745 / 12_870_f64.sqrt()
 }
 
-/// Samples of the past from which the next error is predicted.
-const PAST: usize = 40;
-
 /// Root mean square of errors beyond what a linear prediction from their past takes out
 /// (recursion of Levinson and Durbin).
 fn unpredicted(errors: &[f64]) -> f64 {
-    let past = PAST.min(errors.len() / 4);
+    let past = thresholds::PAST.min(errors.len() / 4);
     let product = |lag: usize| -> f64 {
         let pairs = errors[lag..].iter().zip(errors);
         pairs.map(|(a, b)| a * b).sum::<f64>() / errors.len() as f64

@@ -123,7 +123,7 @@ fn driven(record: &Run, w0: f64, delta: f64) -> Option<(f64, OscillatorParameter
 
 /// Whether a fit describes most of the output.
 fn explains(fit: &Fitted, record: &Run) -> bool {
-    fit.square < 0.3 * record.output.iter().map(|x| x * x).sum::<f64>()
+    fit.square < thresholds::DESCRIBES_LITTLE * record.output.iter().map(|x| x * x).sum::<f64>()
 }
 
 /// Samples on which starts are compared.
@@ -244,7 +244,7 @@ fn most_promising(
     let tangent = Tangent::new(slopes(&part, base, &left, &LINEAR)?, &[])?;
     let dots = tangent.columns.iter().map(|c| c.dot_data(&block, &left));
     let owed = tangent.halfway(DVector::from_iterator(LINEAR.len(), dots));
-    let promise = |candidate: OscillatorParameters| {
+    let predicted_gain = |candidate: OscillatorParameters| {
         let there = residual(&candidate, &part)?;
         let change = left.iter().zip(&there).map(|(a, b)| a - b);
         let column = [Column::of_one_block(change.collect())];
@@ -253,8 +253,8 @@ fn most_promising(
         let size = product / beside.matrix[(0, 0)];
         Some((candidate, size, size * product))
     };
-    let promises = candidates.filter_map(promise);
-    let best = promises.max_by(|a, b| a.2.total_cmp(&b.2))?;
+    let predicted = candidates.filter_map(predicted_gain);
+    let best = predicted.max_by(|a, b| a.2.total_cmp(&b.2))?;
     Some((best.0, best.1))
 }
 

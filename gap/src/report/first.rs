@@ -3,6 +3,7 @@
 use super::plain;
 use super::plain::short;
 use crate::answer::{Answer, Cause, Verdict, Where};
+use crate::thresholds;
 use calib_effects::{Of, Stage, effect};
 
 /// The effects of a cause in words that need no training.
@@ -26,7 +27,7 @@ pub(super) fn suspects(answer: &Answer) -> Vec<Stage> {
     let named: Vec<&str> = answer
         .causes
         .iter()
-        .filter(|c| c.probability > 0.05)
+        .filter(|c| c.probability > thresholds::POSSIBLE_PROBABILITY)
         .flat_map(|c| c.effects.iter().copied())
         .collect();
     let of_causes = calib_effects::entries(Of::Calibrator)

@@ -9,13 +9,6 @@ use crate::observable::Group;
 use crate::thresholds;
 use std::ops::Range;
 
-/// Fewest data that say something of their noise.
-const FEWEST: usize = 12;
-/// Rows so near in time are no repetition of one another.
-const NEAR_ROWS: usize = 3;
-/// Rows after one of a frequency among which its repetition is looked for.
-const REPEATS_AMONG: usize = 16;
-
 /// Evidence needed to believe that noise is not as stated.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Demand {
@@ -110,15 +103,15 @@ impl Neighbours {
         rows.sort_by(|a, b| hz(a.0).total_cmp(&hz(b.0)).then(a.0.cmp(&b.0)));
         for pair in rows.windows(2) {
             let lag = pair[0].0.abs_diff(pair[1].0);
-            if lag > NEAR_ROWS {
+            if lag > thresholds::NEAR_ROWS {
                 self.again.add(pair[0].1, pair[1].1);
                 self.lags.push(lag as f64);
             }
         }
         for (at, (row, left)) in rows.iter().enumerate() {
-            let after = rows[at + 1..].iter().take(REPEATS_AMONG);
+            let after = rows[at + 1..].iter().take(thresholds::REPEATS_AMONG);
             let mut repeats = after.filter(|other| {
-                row.abs_diff(other.0) > NEAR_ROWS
+                row.abs_diff(other.0) > thresholds::NEAR_ROWS
                     && problem.rows[*row].repeats(&problem.rows[other.0])
             });
             if let Some((_, again)) = repeats.next() {
@@ -128,11 +121,11 @@ impl Neighbours {
     }
 
     fn again(&self) -> Option<f64> {
-        (self.again.count >= FEWEST as f64).then(|| self.again.correlation())
+        (self.again.count >= thresholds::FEWEST_OF_NOISE as f64).then(|| self.again.correlation())
     }
 
     fn repeated(&self) -> Option<f64> {
-        (self.repeated.count >= FEWEST as f64).then(|| self.repeated.scatter())
+        (self.repeated.count >= thresholds::FEWEST_OF_NOISE as f64).then(|| self.repeated.scatter())
     }
 
     /// Correlation at the same frequency that memory alone would leave.
@@ -148,7 +141,7 @@ impl Colour {
     pub(super) fn of(kept: &Kept, group: Group) -> Option<Self> {
         let problem = &kept.problem;
         let data = problem.data_of_group(group);
-        if data.len() < FEWEST {
+        if data.len() < thresholds::FEWEST_OF_NOISE {
             return None;
         }
         let mut neighbours = Neighbours::default();
@@ -180,7 +173,8 @@ impl Colour {
     /// Whether neighbours have nothing in common, in time and in frequency, and no few rows stand out.
     fn is_white(&self) -> bool {
         let again = self.again.unwrap_or(self.in_time);
-        self.in_time.max(again) < self.tolerance() && self.middle > 0.85 - self.tolerance()
+        self.in_time.max(again) < self.tolerance()
+            && self.middle > thresholds::MIDDLE - self.tolerance()
     }
 
     /// Scatter over the stated one; 1 where that holds, or what is left is no noise.
@@ -212,7 +206,7 @@ impl Colour {
     pub(super) fn memory(&self, demand: Demand) -> f64 {
         let tolerance = self.tolerance();
         let remembers = self.in_time > thresholds::LEAST_MEMORY.max(tolerance);
-        let in_all = self.least_in_time > 0.5 * self.in_time;
+        let in_all = self.least_in_time > thresholds::ALL_PARTS * self.in_time;
         let expected = self.remembered + thresholds::LEAST_MEMORY + tolerance;
         let no_repetition = in_all && self.again.is_some_and(|again| again < expected);
         if remembers && (no_repetition || demand == Demand::OfOthers) {

@@ -10,9 +10,6 @@ use crate::estimation::significance::two_sided;
 use crate::observable::Group;
 use crate::thresholds;
 
-/// Readings that one slip spoils.
-const MOST_READINGS: usize = 2;
-
 /// A fit to the rows that it can hold.
 pub(super) struct Kept {
     /// Those rows.
@@ -102,7 +99,8 @@ impl Kept {
             own.any(|at| self.stands_out(self.evaluation.residual[at].abs() / scale))
         };
         let readings: Vec<&Group> = Group::ALL.iter().filter(|g| stands_out(g)).collect();
-        readings.len() <= MOST_READINGS && readings.iter().all(|group| group.is_response())
+        readings.len() <= thresholds::MOST_READINGS
+            && readings.iter().all(|group| group.is_response())
     }
 
     /// Square of the scatter over the stated one, by the middle of the data.

@@ -114,8 +114,8 @@ pub(crate) fn evidence(
         Stage::Reference => &[Group::Ratio, Group::Drive],
         Stage::Dut | Stage::Mount => &[Group::Ratio, Group::DutHarmonics],
     };
-    let strongest = |structure: &LackOfFit, groups: &[Group]| {
-        let outcomes = structure.outcomes.iter();
+    let strongest = |lack_of_fit: &LackOfFit, groups: &[Group]| {
+        let outcomes = lack_of_fit.outcomes.iter();
         let inside = outcomes.filter(|o| groups.contains(&o.observable.group()));
         inside
             .max_by(|a, b| a.z.abs().total_cmp(&b.z.abs()))

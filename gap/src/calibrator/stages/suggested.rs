@@ -153,9 +153,9 @@ fn level_counts(s: &LackOfFit) -> bool {
 }
 
 /// Chi-square of some data beyond what noise gives.
-fn excess(structure: &LackOfFit, data: Range<usize>) -> f64 {
+fn excess(lack_of_fit: &LackOfFit, data: Range<usize>) -> f64 {
     let count = data.len() as f64;
-    let sum: f64 = structure.residual[data].iter().map(|r| r * r).sum();
+    let sum: f64 = lack_of_fit.residual[data].iter().map(|r| r * r).sum();
     (sum - count - thresholds::EXCESS_SIGMA * (2.0 * count).sqrt()).max(0.0)
 }
 
