@@ -5,7 +5,7 @@
 //! changed until then may be in any of the points.
 
 use crate::point::PointResult;
-use crate::verdict::{Reason, Verdict};
+use crate::point_state::{PointState, Reason};
 use core::f32::consts::{PI, SQRT_2};
 use serde::{Deserialize, Serialize};
 
@@ -45,7 +45,7 @@ pub enum Closing {
 impl Closing {
     /// Compares the repetition with the valid point it repeats.
     pub fn new(first: &PointResult, again: &PointResult) -> Self {
-        if let Verdict::Refused(reason) = again.verdict {
+        if let PointState::Refused(reason) = again.state {
             return Self::Refused(reason);
         }
         let turned = again.phase_rad - first.phase_rad;
@@ -109,7 +109,7 @@ mod tests {
             acceleration_rms_ms2: 10.0,
         };
         PointResult {
-            verdict: Verdict::Pass,
+            state: PointState::Valid,
             sensitivity_v_per_ms2,
             phase_rad,
             repeatability_rel,

@@ -10,9 +10,9 @@
 
 use crate::closing::Closing;
 use crate::point::{PointResult, PointSpec};
+use crate::point_state::PointState;
 use crate::points::{REFERENCE_HZ, REFERENCE_MS2};
 use crate::stored_list::{Band, Base, ListTerms, Rule};
-use crate::verdict::Verdict;
 
 /// A hundredth of an octave, as a ratio: omega = 1000 rad/s and 500 rad/s count as 160 Hz and 80 Hz.
 const NEAR: f32 = 1.006_955_6;
@@ -65,7 +65,7 @@ pub fn judge(
 /// above zero.
 fn is_result(point: &PointResult) -> bool {
     let positive = |value: f32| value.is_finite() && value > 0.0;
-    point.verdict == Verdict::Pass
+    point.state == PointState::Valid
         && point.has_result()
         && positive(point.sensitivity_v_per_ms2)
         && positive(point.expanded_uncertainty_rel)
@@ -184,7 +184,7 @@ fn rank(spec: &PointSpec) -> (f32, usize) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::verdict::Reason;
+    use crate::point_state::Reason;
 
     /// Of a run that was not closed.
     fn judge(terms: &ListTerms, points: &[PointResult]) -> Conformity {
@@ -198,7 +198,7 @@ mod tests {
             acceleration_rms_ms2: 10.0,
         };
         PointResult {
-            verdict: Verdict::Pass,
+            state: PointState::Valid,
             sensitivity_v_per_ms2: sensitivity,
             expanded_uncertainty_rel: 0.01,
             coverage_factor: 2.0,
@@ -208,7 +208,7 @@ mod tests {
 
     fn refused(frequency_hz: f32) -> PointResult {
         PointResult {
-            verdict: Verdict::Refused(Reason::Clipped),
+            state: PointState::Refused(Reason::Clipped),
             ..valid(frequency_hz, 1.0)
         }
     }

@@ -4,9 +4,9 @@
 //! vibration shows as the difference of the two reference readings, and its
 //! first order cancels when the device is compared with their mean.
 
+use crate::point_state::Reason;
 use crate::requirements::SingleVoltmeter;
 use crate::settings::Example;
-use crate::verdict::Reason;
 use num_complex::Complex32;
 
 /// Three readings of one point; complex peak amplitudes in the same unit, at

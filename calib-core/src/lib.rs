@@ -3,7 +3,7 @@
 //! Everything a metrologist would want to check is in this crate and runs on a
 //! laptop: sine correlation of sampled blocks, sensitivity and phase, the
 //! uncertainty budget of ISO 16063-21 Annex A, the amplitude loop, the point
-//! lists and the checks that end in a verdict. The firmware only carries
+//! lists and the checks that end in the state of a point. The firmware only carries
 //! samples in and results out.
 #![cfg_attr(not(test), no_std)]
 #![forbid(unsafe_code)]
@@ -28,6 +28,7 @@ pub mod hum;
 pub mod output;
 pub mod phase;
 pub mod point;
+pub mod point_state;
 pub mod points;
 pub mod polarity;
 pub mod quantity;
@@ -40,4 +41,3 @@ pub mod settings;
 pub mod stored_list;
 pub mod thermometer;
 pub mod tone;
-pub mod verdict;

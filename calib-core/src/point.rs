@@ -1,7 +1,7 @@
 //! Request for a point, and its result.
 
+use crate::point_state::{PointState, Reason};
 use crate::tone::Tone;
-use crate::verdict::{Reason, Verdict};
 use serde::{Deserialize, Serialize};
 
 /// One calibration point to be measured.
@@ -56,7 +56,7 @@ pub struct PointResult {
     /// The tone that was played; its frequency follows from the sample rate.
     pub tone: Tone,
     /// Outcome. Unless it is `Pass`, the numbers below are only diagnostic.
-    pub verdict: Verdict,
+    pub state: PointState,
     /// Acceleration reached, m/s2 r.m.s.
     pub acceleration_rms_ms2: f32,
     /// Magnitude of the sensitivity of the device under test, V/(m/s2).
@@ -133,11 +133,11 @@ impl PointResult {
         .all(f32::is_finite)
     }
 
-    /// Takes back a verdict that no number stands behind: what was stored or sent may be damaged or
+    /// Takes back a state that no number stands behind: what was stored or sent may be damaged or
     /// forged, and is then no result.
     pub fn refuse_without_result(&mut self) {
-        if self.verdict == Verdict::Pass && !self.has_result() {
-            self.verdict = Verdict::Refused(Reason::BudgetInvalid);
+        if self.state == PointState::Valid && !self.has_result() {
+            self.state = PointState::Refused(Reason::BudgetInvalid);
         }
     }
 
@@ -152,7 +152,7 @@ impl PointResult {
                 cycles: 0,
                 period_samples: 1,
             }),
-            verdict: Verdict::Refused(reason),
+            state: PointState::Refused(reason),
             acceleration_rms_ms2: 0.0,
             sensitivity_v_per_ms2: 0.0,
             phase_rad: 0.0,
@@ -192,7 +192,7 @@ mod tests {
             acceleration_rms_ms2: 10.0,
         };
         let whole = PointResult {
-            verdict: Verdict::Pass,
+            state: PointState::Valid,
             sensitivity_v_per_ms2: 0.01,
             expanded_uncertainty_rel: 0.01,
             coverage_factor: 2.0,
@@ -200,9 +200,9 @@ mod tests {
         };
         let judged = |mut point: PointResult| {
             point.refuse_without_result();
-            point.verdict
+            point.state
         };
-        assert_eq!(judged(whole), Verdict::Pass);
+        assert_eq!(judged(whole), PointState::Valid);
         type Damage = fn(&mut PointResult);
         let damages: [Damage; 6] = [
             |p| p.sensitivity_v_per_ms2 = f32::NAN,
@@ -215,7 +215,7 @@ mod tests {
         for damage in damages {
             let mut point = whole;
             damage(&mut point);
-            assert_eq!(judged(point), Verdict::Refused(Reason::BudgetInvalid));
+            assert_eq!(judged(point), PointState::Refused(Reason::BudgetInvalid));
         }
     }
 }

@@ -1,4 +1,4 @@
-//! A point ends in a verdict, never in a silent number.
+//! A point ends in a state, valid or refused, never in a silent number.
 
 use core::fmt;
 use serde::{Deserialize, Serialize};
@@ -6,9 +6,9 @@ use serde::{Deserialize, Serialize};
 /// Outcome of one calibration point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Verdict {
+pub enum PointState {
     /// Every check of the point passed: sensitivity and uncertainty hold.
-    Pass,
+    Valid,
     /// The point was measured or attempted, and its numbers must not be used.
     Refused(Reason),
 }
@@ -97,10 +97,10 @@ impl Reason {
 }
 
 /// `valid`, or `refused: ` and the reason in words.
-impl fmt::Display for Verdict {
+impl fmt::Display for PointState {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Pass => formatter.write_str("valid"),
+            Self::Valid => formatter.write_str("valid"),
             Self::Refused(reason) => write!(formatter, "refused: {reason}"),
         }
     }

@@ -2,10 +2,10 @@
 
 use crate::control::limits::check_level;
 use crate::point::PointSpec;
+use crate::point_state::Reason;
 use crate::polarity::wrap;
 use crate::settings::Settings;
 use crate::tone::Tone;
-use crate::verdict::Reason;
 use core::f32::consts::SQRT_2;
 use heapless::Vec;
 

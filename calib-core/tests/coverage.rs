@@ -8,10 +8,10 @@
 use calib_core::budget::{Component, PointBudget, Row, point_budget};
 use calib_core::consecutive::Consecutive;
 use calib_core::point::{PointResult, PointSpec};
+use calib_core::point_state::Reason;
 use calib_core::reference::ReferenceSensitivity;
 use calib_core::sequence::Scatter;
 use calib_core::settings::{Distribution, Example, PointInfluences, Settings};
-use calib_core::verdict::Reason;
 use num_complex::Complex32;
 
 const DRAWS: u32 = 2_000;

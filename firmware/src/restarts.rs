@@ -29,7 +29,7 @@ pub type Reason = String<REASON_BYTES>;
 /// How far a start has come.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
-pub enum Stage {
+pub enum Reached {
     /// Clocks and supply.
     Clocks = 0,
     /// The converters of the measurement.
@@ -40,11 +40,11 @@ pub enum Stage {
     Running = 3,
 }
 
-impl Stage {
+impl Reached {
     fn of(number: u8) -> Option<Self> {
         [Self::Clocks, Self::Converters, Self::Archive, Self::Running]
             .into_iter()
-            .find(|stage| *stage as u8 == number)
+            .find(|reached| *reached as u8 == number)
     }
 }
 
@@ -76,13 +76,13 @@ impl LeftOut {
         Self(self.0 | other.0)
     }
 
-    /// Parts to leave out as well after a start has ended too often in `stage`. A fault while running may come
+    /// Parts to leave out as well after a start has ended too often in `reached`. A fault while running may come
     /// from anywhere: first nothing is measured and stored, then the port is closed too.
-    fn after(self, stage: Stage) -> Self {
+    fn after(self, reached: Reached) -> Self {
         let measuring = Self::CONVERTERS.and(Self::ARCHIVE);
-        match stage {
-            Stage::Converters => self.and(Self::CONVERTERS),
-            Stage::Archive if !self.has(Self::ARCHIVE) => self.and(Self::ARCHIVE),
+        match reached {
+            Reached::Converters => self.and(Self::CONVERTERS),
+            Reached::Archive if !self.has(Self::ARCHIVE) => self.and(Self::ARCHIVE),
             _ if self == measuring => self.and(Self::USB),
             _ => self.and(measuring),
         }
@@ -117,7 +117,7 @@ pub struct History {
     /// Restarts in a row.
     count: u8,
     left_out: LeftOut,
-    stage: Stage,
+    reached: Reached,
     way: Way,
     /// Of the last starts that ended, oldest first.
     reasons: Vec<Reason, MAX_RESTARTS>,
@@ -135,7 +135,7 @@ impl History {
         Self {
             count: 0,
             left_out: LeftOut::NOTHING,
-            stage: Stage::Clocks,
+            reached: Reached::Clocks,
             way: Way::Unknown,
             reasons: Vec::new(),
         }
@@ -166,22 +166,22 @@ impl History {
         if history.way != Way::Outside {
             history.count();
         }
-        (history.way, history.stage) = (Way::Unknown, Stage::Clocks);
+        (history.way, history.reached) = (Way::Unknown, Reached::Clocks);
         (history, told)
     }
 
     fn count(&mut self) {
         self.count = self.count.saturating_add(1);
         if usize::from(self.count) >= MAX_RESTARTS {
-            self.left_out = self.left_out.after(self.stage);
+            self.left_out = self.left_out.after(self.reached);
             // What is left out now gets as many tries of its own.
             self.count = 0;
         }
     }
 
-    /// The start has come to `stage`.
-    pub fn enter(&mut self, stage: Stage) {
-        self.stage = stage;
+    /// The start has come to `reached`.
+    pub fn enter(&mut self, reached: Reached) {
+        self.reached = reached;
     }
 
     /// The start ends this way; a fault says why.
@@ -236,13 +236,13 @@ impl History {
             }
         }
         let [first, second, third] = lengths;
-        let (stage, way) = (self.stage as u8, self.way as u8);
-        let counts = [self.count, self.left_out.0, stage, way];
-        let [count, left_out, stage, way] = counts;
+        let (reached, way) = (self.reached as u8, self.way as u8);
+        let counts = [self.count, self.left_out.0, reached, way];
+        let [count, left_out, reached, way] = counts;
         counters[1] = u64::from_le_bytes([
             count,
             left_out,
-            stage,
+            reached,
             way,
             self.reasons.len() as u8,
             first,
@@ -259,11 +259,11 @@ impl History {
         if counters.first() != Some(&check_sum(words)) {
             return None;
         }
-        let [count, left_out, stage, way, reasons, lengths @ ..] = counters.get(1)?.to_le_bytes();
+        let [count, left_out, reached, way, reasons, lengths @ ..] = counters.get(1)?.to_le_bytes();
         let mut history = Self {
             count,
             left_out: LeftOut(left_out),
-            stage: Stage::of(stage)?,
+            reached: Reached::of(reached)?,
             way: Way::of(way)?,
             reasons: Vec::new(),
         };
@@ -307,14 +307,14 @@ mod tests {
         text.try_into().expect("short")
     }
 
-    /// A start that came to `stage` and ended this way.
-    fn ended(kept: Option<History>, stage: Stage, way: Way) -> History {
+    /// A start that came to `reached` and ended this way.
+    fn ended(kept: Option<History>, reached: Reached, way: Way) -> History {
         let cause = match way {
             Way::Unknown => ResetCause::Watchdog,
             _ => ResetCause::Software,
         };
         let mut history = kept.unwrap_or_default();
-        history.enter(stage);
+        history.enter(reached);
         if way != Way::Unknown {
             history.leave(way, reason("why"));
         }
@@ -341,15 +341,15 @@ mod tests {
 
     #[test]
     fn the_third_restart_in_a_row_leaves_out_what_it_ended_in() {
-        for (stage, left_out) in [
-            (Stage::Converters, LeftOut::CONVERTERS),
-            (Stage::Archive, LeftOut::ARCHIVE),
+        for (reached, left_out) in [
+            (Reached::Converters, LeftOut::CONVERTERS),
+            (Reached::Archive, LeftOut::ARCHIVE),
         ] {
             for way in [Way::Fault, Way::Unknown] {
-                let one = ended(None, stage, way);
-                let two = ended(Some(one), stage, way);
+                let one = ended(None, reached, way);
+                let two = ended(Some(one), reached, way);
                 assert!(two.left_out().is_nothing());
-                let three = ended(Some(two), stage, way);
+                let three = ended(Some(two), reached, way);
                 assert_eq!(three.left_out(), left_out);
                 assert_eq!(three.reasons().len(), 3);
             }
@@ -361,7 +361,7 @@ mod tests {
         let mut history = History::new();
         let mut found = std::vec::Vec::new();
         for _ in 0..9 {
-            history = ended(Some(history), Stage::Running, Way::Fault);
+            history = ended(Some(history), Reached::Running, Way::Fault);
             found.push(history.left_out());
         }
         let both = LeftOut::CONVERTERS.and(LeftOut::ARCHIVE);
@@ -373,15 +373,15 @@ mod tests {
 
     #[test]
     fn a_minute_of_life_ends_the_count_and_keeps_what_is_left_out() {
-        let mut history = ended(None, Stage::Running, Way::Fault);
+        let mut history = ended(None, Reached::Running, Way::Fault);
         for _ in 0..5 {
-            history = ended(Some(history), Stage::Running, Way::Fault);
+            history = ended(Some(history), Reached::Running, Way::Fault);
             history.live_on();
             assert!(history.left_out().is_nothing());
             assert!(history.reasons().is_empty());
         }
         for _ in 0..3 {
-            history = ended(Some(history), Stage::Archive, Way::Unknown);
+            history = ended(Some(history), Reached::Archive, Way::Unknown);
         }
         history.live_on();
         assert_eq!(history.left_out(), LeftOut::ARCHIVE);
@@ -392,10 +392,10 @@ mod tests {
     fn a_hand_a_host_and_the_supply_begin_anew() {
         let mut bad = History::new();
         for _ in 0..3 {
-            bad = ended(Some(bad), Stage::Archive, Way::Fault);
+            bad = ended(Some(bad), Reached::Archive, Way::Fault);
         }
         assert_eq!(
-            ended(Some(bad.clone()), Stage::Running, Way::Asked),
+            ended(Some(bad.clone()), Reached::Running, Way::Asked),
             History::new()
         );
         for cause in [ResetCause::PowerOn, ResetCause::Pin, ResetCause::BrownOut] {

@@ -5,7 +5,7 @@
 //! forgets it (RM0433 Rev 8, 2.4, as quoted in zephyr issue 103501). So whole double words are
 //! written, and a word beside them behind the last.
 
-use calib_firmware::restarts::{History, Reason, Stage, WORDS, Way};
+use calib_firmware::restarts::{History, Reached, Reason, WORDS, Way};
 use calib_protocol::message::ResetCause;
 use core::cell::UnsafeCell;
 
@@ -35,9 +35,9 @@ pub(crate) fn begin(cause: ResetCause) -> (History, Option<Reason>) {
     (history, told)
 }
 
-/// The start has come to `stage`.
-pub(crate) fn enter(stage: Stage) {
-    change(|history| history.enter(stage));
+/// The start has come to `reached`.
+pub(crate) fn enter(reached: Reached) {
+    change(|history| history.enter(reached));
 }
 
 /// The start ends.

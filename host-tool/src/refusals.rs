@@ -3,9 +3,9 @@
 
 use calib_certificate::{Language, REASONS};
 use calib_core::point::{PointResult, PointSpec};
+use calib_core::point_state::{PointState, Reason};
 use calib_core::points::possible;
 use calib_core::settings::Settings;
-use calib_core::verdict::{Reason, Verdict};
 use calib_output::code;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -127,7 +127,7 @@ pub fn table(language: Language) -> Vec<Refused> {
 pub fn of(points: &[PointResult]) -> Vec<Refused> {
     let mut found: Vec<(Reason, Refused)> = Vec::new();
     for point in points {
-        let Verdict::Refused(reason) = point.verdict else {
+        let PointState::Refused(reason) = point.state else {
             continue;
         };
         let known = found.iter().position(|(known, _)| *known == reason);
@@ -143,15 +143,15 @@ pub fn of(points: &[PointResult]) -> Vec<Refused> {
 /// The reason when nothing was measured yet and the device under test gives no signal: all other
 /// points would be refused for the same. The point that the stop cut off says nothing of the device.
 pub fn dead_from_the_start(points: &[PointResult]) -> Option<Reason> {
-    let cut_off = Verdict::Refused(Reason::Stopped);
+    let cut_off = PointState::Refused(Reason::Stopped);
     let mut tried = points
         .iter()
-        .map(|point| point.verdict)
+        .map(|point| point.state)
         .filter(|verdict| *verdict != cut_off)
         .peekable();
     tried.peek()?;
     tried
-        .all(|verdict| verdict == Verdict::Refused(Reason::DutOpen))
+        .all(|verdict| verdict == PointState::Refused(Reason::DutOpen))
         .then_some(Reason::DutOpen)
 }
 

@@ -20,9 +20,9 @@ use crate::settings_form::{read_identity, read_rows};
 use crate::stored_point::{LEVEL_PARTS, Round, Temperature, from_upper};
 use calib_core::channel_ratio::ChannelRatio;
 use calib_core::point::{PointResult, PointSpec};
+use calib_core::point_state::{PointState, Reason};
 use calib_core::settings::{Distribution, PointInfluences, ReferenceChannel, Settings};
 use calib_core::tone::Tone;
-use calib_core::verdict::{Reason, Verdict};
 use core::ops::Range;
 use serde::Deserialize;
 
@@ -142,7 +142,7 @@ fn count(fields: &mut Fields<'_>) -> Result<(u16, u16), RecordError> {
     let points: u16 = fields.take()?;
     let mut refused = 0;
     for _ in 0..points {
-        refused += u16::from(point(fields)?.verdict != Verdict::Pass);
+        refused += u16::from(point(fields)?.state != PointState::Valid);
     }
     Ok((points, refused))
 }
@@ -162,7 +162,7 @@ struct StoredPoint {
     level: Round,
     cycles: u16,
     period_samples: u16,
-    verdict: Verdict,
+    state: PointState,
     /// Bit 0: inverted. Bit 1: the coverage factor is 2. Bit 2: a broadband
     /// point, which has no distortion; in its place is one less the coherence.
     flags: u8,
@@ -215,7 +215,7 @@ impl From<StoredPoint> for PointResult {
         };
         let temperature = Temperature(i16::from_le_bytes(stored.temperature));
         Self {
-            verdict: stored.verdict,
+            state: stored.state,
             acceleration_rms_ms2: reached as f32,
             sensitivity_v_per_ms2: f32::from_le_bytes(stored.sensitivity),
             phase_rad: f32::from_le_bytes(stored.phase),

@@ -33,9 +33,9 @@ use crate::record::{MAX_POINTS, RecordSummary, RunLabels};
 use crate::signature::DeviceKey;
 use crate::update::{RunningImage, UpdateStep};
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
+use calib_core::point_state::Reason;
 use calib_core::self_test::{Line, MAX_LINES};
 use calib_core::settings::Settings;
-use calib_core::verdict::Reason;
 use heapless::{String, Vec};
 use serde::{Deserialize, Serialize};
 

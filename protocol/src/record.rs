@@ -243,7 +243,7 @@ pub fn link(bytes: &[u8]) -> Result<ChainLink, RecordError> {
 }
 
 /// Line of the record list for a record, and the place of the settings in its bytes. Of the points only
-/// the verdicts are read: that takes little memory, where [`decode`] takes room for the longest record.
+/// the states of the points are read: that takes little memory, where [`decode`] takes room for the longest record.
 ///
 /// # Errors
 /// As [`decode`].
@@ -278,7 +278,7 @@ pub(crate) fn tame_settings(settings: &mut Settings) {
 }
 
 /// Reads the record of a calibration. Its texts are words of one line each ([`crate::text`]), and a point
-/// without numbers is no result, whatever its verdict says.
+/// without numbers is no result, whatever its state says.
 ///
 /// # Errors
 /// Those of [`check`], [`RecordError::Content`], [`RecordError::Section`] and [`RecordError::Kind`].
@@ -308,8 +308,8 @@ mod tests {
     use crate::update::ImageSigner;
     use calib_core::closing::Change;
     use calib_core::point::PointResult;
+    use calib_core::point_state::{PointState, Reason};
     use calib_core::stored_list::{Band, Base, ListTerms, Rule};
-    use calib_core::verdict::{Reason, Verdict};
 
     fn record() -> Record {
         let head = RecordHead {
@@ -481,7 +481,7 @@ mod tests {
             };
             let mut point = PointResult::refused(spec, None, reason.unwrap_or(Reason::Stopped));
             if reason.is_none() {
-                point.verdict = Verdict::Pass;
+                point.state = PointState::Valid;
             }
             record.points.push(point).expect("room");
         }

@@ -178,8 +178,8 @@ mod tests {
     use crate::record::{MAX_POINTS, Record, RecordHead, RunLabels, digest, encode};
     use crate::settings_form::InSections;
     use calib_core::point::{PointResult, PointSpec};
+    use calib_core::point_state::{PointState, Reason};
     use calib_core::tone::Tone;
-    use calib_core::verdict::{Reason, Verdict};
     use heapless::{String, Vec};
     use proptest::prelude::*;
 
@@ -191,7 +191,7 @@ mod tests {
         let tone = Tone::nearest(frequency_hz, 50_000.0);
         let mut point = PointResult::refused(spec, tone, Reason::Clipped);
         if !seed.is_multiple_of(3) {
-            point.verdict = Verdict::Pass;
+            point.state = PointState::Valid;
         }
         // Numbers of no special form.
         point.acceleration_rms_ms2 = 10.0 + 1.0e-4 / seed as f32;

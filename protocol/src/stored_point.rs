@@ -9,7 +9,7 @@
 //! | `f32` | 4 | every bit |
 //! | [`Round`] | 2 to 5 | every bit; hundredths in 2 or 3 bytes |
 //! | [`Upper3`], [`Upper2`] | 3, 2 | upper bytes of the f32: 1.6e-5, 0.2 % |
-//! | `u16`, `bool`, [`Verdict`] | 1 to 3 | as postcard writes them |
+//! | `u16`, `bool`, [`PointState`] | 1 to 3 | as postcard writes them |
 //! | [`Maybe2`] | 2 | as [`Upper2`], of what may be missing |
 //! | [`Incoherence`] | 2 | one less the coherence, to 0.2 % |
 //! | [`Temperature`] | 1 to 3 | hundredths of a degree |
@@ -20,7 +20,7 @@
 use crate::error::RecordError;
 use crate::sections::{Fields, Read, find, section};
 use calib_core::point::{PointResult, PointSpec};
-use calib_core::verdict::{Reason, Verdict};
+use calib_core::point_state::{PointState, Reason};
 use heapless::Vec;
 use serde::de::Error;
 use serde::ser::SerializeTuple;
@@ -57,7 +57,7 @@ macro_rules! column {
 }
 
 /// The column that tells refused points.
-const VERDICT: u8 = 5;
+const STATE: u8 = 5;
 
 /// Every column there is, in the order they are written and read.
 const COLUMNS: [Column; 29] = [
@@ -65,7 +65,7 @@ const COLUMNS: [Column; 29] = [
     column!(2, Round, spec.acceleration_rms_ms2),
     column!(3, u16, tone.cycles),
     column!(4, u16, tone.period_samples),
-    column!(VERDICT, Verdict, verdict),
+    column!(STATE, PointState, state),
     // Behind the set level, which it is relative to.
     Column {
         id: 6,
@@ -191,14 +191,15 @@ fn read_column(
 /// As [`read`].
 pub(crate) fn count(mut fields: Fields<'_>) -> Result<(u16, u16), RecordError> {
     let points: u16 = fields.take()?;
-    let Some((_, verdicts)) = find(fields.0, VERDICT, 1)? else {
+    let Some((_, states)) = find(fields.0, STATE, 1)? else {
         return Ok((points, points));
     };
-    let mut rest = Fields(verdicts);
+    let mut rest = Fields(states);
     let (mut read, mut refused) = (0_u16, 0_u16);
     while !rest.0.is_empty() {
         read = read.saturating_add(1);
-        refused = refused.saturating_add(u16::from(rest.take::<Verdict>()? != Verdict::Pass));
+        refused =
+            refused.saturating_add(u16::from(rest.take::<PointState>()? != PointState::Valid));
     }
     match read {
         1 if refused == 1 => Ok((points, points)),
@@ -425,7 +426,7 @@ mod tests {
 
     fn point() -> PointResult {
         PointResult {
-            verdict: Verdict::Pass,
+            state: PointState::Valid,
             acceleration_rms_ms2: 10.001_23,
             sensitivity_v_per_ms2: 0.009_876_543,
             phase_rad: -0.123_456_79,
@@ -474,7 +475,7 @@ mod tests {
         let (before, after) = (point(), as_stored(&point()));
         assert_eq!(after.spec, before.spec);
         assert_eq!(after.tone, before.tone);
-        assert_eq!(after.verdict, before.verdict);
+        assert_eq!(after.state, before.state);
         assert_eq!(after.sensitivity_v_per_ms2, before.sensitivity_v_per_ms2);
         assert_eq!(after.phase_rad, before.phase_rad);
         assert_eq!((after.inverted, after.blocks), (true, 10));
@@ -567,7 +568,7 @@ mod tests {
             let bytes = written(&points[..count]);
             let back = read_back(&bytes).expect("points");
             assert_eq!(back, points[..count]);
-            let refused = back.iter().filter(|p| p.verdict != Verdict::Pass).count();
+            let refused = back.iter().filter(|p| p.state != PointState::Valid).count();
             let expected = (count as u16, refused as u16);
             assert_eq!(super::count(Fields(&bytes)), Ok(expected));
         }
@@ -625,9 +626,9 @@ mod tests {
                 cycles: u16::MAX - number,
                 period_samples: u16::MAX - number,
             };
-            point.verdict = Verdict::Refused(Reason::Clipped);
+            point.state = PointState::Refused(Reason::Clipped);
             if number == 1 {
-                point.verdict = Verdict::Refused(Reason::Stopped);
+                point.state = PointState::Refused(Reason::Stopped);
             }
             point.sensitivity_v_per_ms2 = odd(0.5);
             point.phase_rad = odd(0.5);

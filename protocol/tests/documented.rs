@@ -1,9 +1,9 @@
 //! `docs/protocol.md` says what the code does.
 
 use calib_core::point::ExcitationKind;
+use calib_core::point_state::Reason;
 use calib_core::settings::{MAX_INFLUENCES, MAX_REFERENCE_POINTS, Settings};
 use calib_core::stored_list::{MAX_BANDS, MAX_LIST_POINTS, MAX_LISTS};
-use calib_core::verdict::Reason;
 use calib_protocol::capture::{CAPTURE_CHUNK_PAIRS, CapturePart, MAX_CAPTURE_PAIRS};
 use calib_protocol::frame::{Frame, MAX_FRAME, MAX_MESSAGE, PROTOCOL_VERSION, encode};
 use calib_protocol::health::{Defects, Health};

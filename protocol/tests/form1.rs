@@ -3,8 +3,8 @@
 //! The files in `form1/` were written by the firmware's archive on 2026-11-22, before there were
 //! sections: a calibration of six points, the log of a change of the reference, and settings.
 
+use calib_core::point_state::{PointState, Reason};
 use calib_core::settings::{Distribution, Settings};
-use calib_core::verdict::{Reason, Verdict};
 use calib_protocol::record::{self, RecordError, RecordKind, digest};
 use calib_protocol::stored::{self, MAX_HEAD};
 use calib_protocol::{change, form1};
@@ -47,7 +47,7 @@ fn a_calibration_keeps_its_values() {
     // Values by the number 2 that seeded them.
     assert_eq!(read.points.len(), 6);
     for point in &read.points {
-        assert_eq!(point.verdict, Verdict::Pass);
+        assert_eq!(point.state, PointState::Valid);
         assert_eq!(point.sensitivity_v_per_ms2, 0.01 + 2.0 * 1e-6);
         assert_eq!(point.phase_rad, -0.02);
         assert!((point.distortion_dut_rel - 0.002).abs() < 0.002 / 256.0);
@@ -89,19 +89,19 @@ fn settings_keep_their_values() {
 
 #[test]
 fn a_refused_point_keeps_its_reason() {
-    // The verdict of the first point, behind head, settings, incident, complete, number, frequency,
+    // The state of the first point, behind head, settings, incident, complete, number, frequency,
     // level and tone, becomes refused, clipped: 01 00 for 00.
     let (_, settings) = record::inspect(CALIBRATION).expect("a record");
-    let verdict = settings.end + 3 + 3 + 2 + 2;
+    let state = settings.end + 3 + 3 + 2 + 2;
     let mut bytes = CALIBRATION[..CALIBRATION.len() - 4].to_vec();
-    assert_eq!(bytes[verdict], 0);
-    bytes.splice(verdict..=verdict, [1, 0]);
+    assert_eq!(bytes[state], 0);
+    bytes.splice(state..=state, [1, 0]);
     let checksum = crc::Crc::<u32>::new(&crc::CRC_32_ISO_HDLC)
         .checksum(&bytes)
         .to_le_bytes();
     bytes.extend(checksum);
     let read = record::decode(&bytes).expect("a record");
-    assert_eq!(read.points[0].verdict, Verdict::Refused(Reason::Clipped));
+    assert_eq!(read.points[0].state, PointState::Refused(Reason::Clipped));
     assert_eq!(read.points[0].phase_rad, -0.02);
     let (summary, _) = record::inspect(&bytes).expect("a record");
     assert_eq!((summary.points, summary.refused), (6, 1));

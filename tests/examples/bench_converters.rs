@@ -3,9 +3,9 @@
 //! The core on the plant, without a board between; the reference is known exactly, and nothing else is
 //! wrong, so that the whole deviation is the converters'.
 
+use calib_core::point_state::PointState;
 use calib_core::points::default_points;
 use calib_core::settings::Settings;
-use calib_core::verdict::Verdict;
 use calib_tests::bench::{Fault, point, true_certificate};
 use calib_tests::boardless::{Acquisition, measure_by};
 use calib_tests::judge::deviation;
@@ -158,11 +158,11 @@ fn measure(
             .collect();
         for result in measure_by(acquisition, &rig, &settings, &list) {
             worst.points += 1;
-            if result.verdict != Verdict::Pass {
+            if result.state != PointState::Valid {
                 worst.refused += 1;
                 eprintln!(
                     "unit {unit}, {} Hz: {}",
-                    result.spec.frequency_hz, result.verdict
+                    result.spec.frequency_hz, result.state
                 );
                 continue;
             }

@@ -5,7 +5,7 @@
 //! Every virtual hour the run is kept; with `resume` the last one kept goes on. What it comes to is the
 //! same either way, down to the chained sum of all records.
 
-use calib_core::verdict::Verdict;
+use calib_core::point_state::PointState;
 use calib_protocol::message::RunState;
 use calib_protocol::record::{self, Sha256Sum};
 use calib_tests::bench::{Bench, Fault, point};
@@ -135,7 +135,7 @@ fn calibrate(bench: &mut Bench, faulty: bool) -> Result<Vec<u8>, Fault> {
     let passed = outcome
         .points
         .iter()
-        .all(|point| point.verdict == Verdict::Pass);
+        .all(|point| point.state == PointState::Valid);
     let wanted = match faulty {
         true => RunState::Stopped,
         false => RunState::Finished,

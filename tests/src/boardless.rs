@@ -9,9 +9,9 @@ use calib_core::converter::Converters;
 use calib_core::correlation::FoldMemory;
 use calib_core::output::{Command, Output};
 use calib_core::point::{PointResult, PointSpec};
+use calib_core::point_state::PointState;
 use calib_core::sequence::{Sampling, Sequencer};
 use calib_core::settings::Settings;
-use calib_core::verdict::Verdict;
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;
 use calib_twin::rig_port::{Conversions, DRIVE_MID_CODE, Dither, RigPort};
@@ -87,13 +87,13 @@ pub fn measure_closed(
     let mut calibrator =
         Calibrator::new(Acquisition::SHIPPING, rig, settings, &mut fold, &mut period);
     let results = calibrator.run(specs);
-    let ended = |result: &PointResult| match result.verdict {
-        Verdict::Refused(reason) => reason.ends_run(),
-        Verdict::Pass => false,
+    let ended = |result: &PointResult| match result.state {
+        PointState::Refused(reason) => reason.ends_run(),
+        PointState::Valid => false,
     };
     let first = results
         .iter()
-        .find(|result| result.verdict == Verdict::Pass);
+        .find(|result| result.state == PointState::Valid);
     let closing = match first {
         Some(first) if specs.len() > 1 && !results.iter().any(ended) => {
             let again = calibrator.measure(first.spec);
@@ -209,7 +209,7 @@ mod tests {
                 let list = [point(160.0, 10.0); 8];
                 let results = measure(&rig, &settings, &list);
                 let ended = |result: &&PointResult| {
-                    result.verdict == Verdict::Pass && result.blocks < settings.blocks
+                    result.state == PointState::Valid && result.blocks < settings.blocks
                 };
                 for result in results.iter().filter(ended) {
                     let off = deviation(result, &rig, RATE_HZ).magnitude_rel.abs();
@@ -243,7 +243,7 @@ mod tests {
                 );
                 rig.faults.push(fault.parse().expect("a fault"));
                 for result in measure(&rig, &settings, &list) {
-                    if result.verdict == Verdict::Pass {
+                    if result.state == PointState::Valid {
                         let off = deviation(&result, &rig, RATE_HZ).magnitude_rel.abs();
                         stated += 1;
                         greatest = greatest.max(off / f64::from(result.expanded_uncertainty_rel));

@@ -7,8 +7,8 @@
 use crate::bench::{Bench, Fault, point, reference_point};
 use crate::judge::from_truth;
 use crate::turns;
+use calib_core::point_state::PointState;
 use calib_core::settings::{Distribution as Stated, Influence as StatedInfluence, PointInfluences};
-use calib_core::verdict::Verdict;
 use calib_twin::influence::{Distribution as Drawn, Influence, InfluenceDraw};
 use calib_twin::rig::Rig;
 
@@ -75,7 +75,7 @@ pub struct Tally {
     pub points: u64,
     /// Points refused (seed, frequency in Hz, why): they state nothing, so they
     /// count for nothing.
-    pub refused: Vec<(u64, u32, Verdict)>,
+    pub refused: Vec<(u64, u32, PointState)>,
     /// Points whose magnitude was inside.
     pub magnitude: u64,
     /// Points whose phase was inside.
@@ -138,8 +138,8 @@ fn one(bench: &mut Option<Bench>, seed: u64) -> Result<Tally, Fault> {
     bench.client.release(outcome.record_id)?;
     let mut tally = Tally::default();
     for (result, frequency_hz) in outcome.points.iter().zip(frequencies_hz) {
-        if result.verdict != Verdict::Pass {
-            let refusal = (seed, frequency_hz.round() as u32, result.verdict);
+        if result.state != PointState::Valid {
+            let refusal = (seed, frequency_hz.round() as u32, result.state);
             tally.refused.push(refusal);
             continue;
         }

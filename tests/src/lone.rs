@@ -7,11 +7,11 @@ use calib_certificate::{Certificate, Particulars};
 use calib_core::closing::Closing;
 use calib_core::conformity::{Conformity, judge};
 use calib_core::point::{PointResult, PointSpec};
+use calib_core::point_state::{PointState, Reason};
 use calib_core::points::{LEVELS_MS2, PREFERRED_HZ};
 use calib_core::settings::Settings;
 use calib_core::stored_list::{Band, Base, ListTerms, Rule};
 use calib_core::tone::Tone;
-use calib_core::verdict::{Reason, Verdict};
 use calib_protocol::record::{Record, RecordHead, RunLabels};
 use rand_chacha::ChaCha12Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -99,9 +99,9 @@ impl Draws {
         let tone = Tone::nearest(spec.frequency_hz, 50_000.0);
         let refused = self.unit() < 0.05;
         PointResult {
-            verdict: match refused {
-                true => Verdict::Refused(Reason::Clipped),
-                false => Verdict::Pass,
+            state: match refused {
+                true => PointState::Refused(Reason::Clipped),
+                false => PointState::Valid,
             },
             acceleration_rms_ms2: spec.acceleration_rms_ms2,
             sensitivity_v_per_ms2: 0.01 * self.between(1.0 - spread_rel, 1.0 + spread_rel),

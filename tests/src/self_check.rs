@@ -4,8 +4,8 @@
 use crate::bench::{Bench, Fault, point, reference_point, true_certificate};
 use crate::boardless;
 use calib_core::point::{PointResult, PointSpec};
+use calib_core::point_state::PointState;
 use calib_core::settings::Settings;
-use calib_core::verdict::Verdict;
 use calib_metrology::reciprocity::{
     Certified, CheckPoint, Equipment, Evaluation, Reading, ReciprocityError, Runs, change,
     evaluate, from_certificate,
@@ -169,7 +169,7 @@ pub fn reading_errors_rel(unit: u64, shape: Shape, input: CoilInput) -> Vec<f64>
         let truth = (device / reference).norm();
         let called = settings.reference.at(READ_HZ)?.sensitivity_v_per_ms2;
         let stated = f64::from(result.sensitivity_v_per_ms2 / called);
-        (result.verdict == Verdict::Pass).then(|| stated / truth - 1.0)
+        (result.state == PointState::Valid).then(|| stated / truth - 1.0)
     };
     results.iter().filter_map(error).collect()
 }

@@ -535,7 +535,7 @@ heard['complete'] = calibrator.query('*OPC?')
 heard['sensitivity'] = calibrator.query_ascii_values('FETC:SENS?')[0]
 heard['phase'] = calibrator.query_ascii_values('FETC:PHAS?')[0]
 heard['uncertainty'] = calibrator.query_ascii_values('FETC:UNC?')[0]
-heard['verdict'] = calibrator.query('FETC:VERD?')
+heard['state'] = calibrator.query('FETC:STAT?')
 heard['catalogue'] = calibrator.query('MMEM:CAT?')
 heard['error'] = calibrator.query('SYST:ERR?')
 heard['events'] = calibrator.query('*ESR?')
@@ -550,7 +550,7 @@ heard['after'] = calibrator.query('*STB?;SYST:ERR:COUN?')
 heard['range'] = calibrator.query('SYST:ERR?;:SYST:ERR?;*ESR?')
 heard['key'] = calibrator.query('SYST:KEY?')
 heard['all'] = calibrator.query('MEAS? 160 Hz,10')
-heard['again'] = calibrator.query('INIT;*WAI;FETC:VERD?')
+heard['again'] = calibrator.query('INIT;*WAI;FETC:STAT?')
 print(json.dumps(heard))
 "#;
 
@@ -581,7 +581,7 @@ fn scpi_agrees_with_the_record(arguments: &[&str], resource: impl Fn(&str) -> St
     assert!(identity.starts_with("calib,Field Vibration Calibrator,"));
     assert_eq!(identity.split(',').count(), 4, "{identity}");
     assert_eq!(
-        (words("complete"), words("verdict")),
+        (words("complete"), words("state")),
         ("1".into(), "VALID".into())
     );
     assert!(words("catalogue").contains("\"2,BIN,"), "{heard}");

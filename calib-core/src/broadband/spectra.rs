@@ -2,7 +2,7 @@
 
 use super::{LINES, RECORD_SAMPLES};
 use crate::converter::MID_SAMPLE;
-use crate::verdict::Reason;
+use crate::point_state::Reason;
 use core::fmt;
 use microfft::complex::cfft_4096;
 use num_complex::Complex32;

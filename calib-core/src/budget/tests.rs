@@ -4,8 +4,8 @@ use super::coverage::PROBABILITY_K2;
 use super::*;
 use crate::channel_ratio::ChannelRatioPoint;
 use crate::point::{PointResult, PointSpec};
+use crate::point_state::Reason;
 use crate::settings::{Distribution, Settings};
-use crate::verdict::Reason;
 
 const RECTANGULAR: Distribution = Distribution::Rectangular;
 const TWO: Distribution = Distribution::Normal {

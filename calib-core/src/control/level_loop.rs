@@ -1,8 +1,8 @@
 //! The amplitude loop: one step per block of constant drive.
 
 use super::limits::{check_level, full_output_peak_ms2};
+use crate::point_state::Reason;
 use crate::settings::Limits;
-use crate::verdict::Reason;
 use core::f32::consts::FRAC_1_SQRT_2;
 use core::ops::Range;
 
@@ -102,9 +102,9 @@ pub struct Level {
     pub noise_ms2: f32,
 }
 
-/// How far the loop is.
+/// What a step of the loop aims at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Stage {
+enum Aim {
     Probe,
     Approach,
     Trim,
@@ -113,7 +113,7 @@ enum Stage {
 /// State of the loop.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LevelState {
-    stage: Stage,
+    aim: Aim,
     drive_peak_v: f32,
     /// The drive before, whose motion may still ring.
     previous_drive_peak_v: f32,
@@ -150,7 +150,7 @@ impl LevelState {
     /// The state of an exciter that is not driven.
     pub fn silent() -> Self {
         Self {
-            stage: Stage::Probe,
+            aim: Aim::Probe,
             drive_peak_v: 0.0,
             previous_drive_peak_v: 0.0,
             change_rel: f32::INFINITY,
@@ -311,10 +311,10 @@ impl LevelLoop {
             state.beat_ms2 = state.beat_ms2.max(state.rises.beat_ms2());
         }
         let level = self.with_previous(state, level);
-        let next = match state.stage {
-            Stage::Probe => self.probe(state, level),
-            Stage::Approach => self.drive_for(state, level, self.set_peak_ms2, Stage::Trim),
-            Stage::Trim => self.trim(state, level),
+        let next = match state.aim {
+            Aim::Probe => self.probe(state, level),
+            Aim::Approach => self.drive_for(state, level, self.set_peak_ms2, Aim::Trim),
+            Aim::Trim => self.trim(state, level),
         };
         state.previous = match next {
             Next::Hold => Some(level.peak_ms2),
@@ -329,17 +329,17 @@ impl LevelLoop {
         let allowed_ms2 = (MAX_TOLERANCE_REL * self.set_peak_ms2).max(3.0 * noise_ms2);
         match (level.peak_ms2 - self.set_peak_ms2).abs() <= allowed_ms2 {
             true => Next::Settled,
-            false => self.drive_for(state, level, self.set_peak_ms2, Stage::Trim),
+            false => self.drive_for(state, level, self.set_peak_ms2, Aim::Trim),
         }
     }
 
     /// The level to compare the next block with, unless this one agrees with
     /// the block before or follows so small a change that it need not.
     fn unsteady(&self, state: &LevelState, level: Level) -> Option<f32> {
-        let agreement = match (state.stage, state.bend) {
-            (Stage::Probe, None) => PROBE_AGREEMENT_REL,
-            (Stage::Probe, Some(_)) | (Stage::Approach, _) => APPROACH_AGREEMENT_REL,
-            (Stage::Trim, _) => TRIM_AGREEMENT_REL,
+        let agreement = match (state.aim, state.bend) {
+            (Aim::Probe, None) => PROBE_AGREEMENT_REL,
+            (Aim::Probe, Some(_)) | (Aim::Approach, _) => APPROACH_AGREEMENT_REL,
+            (Aim::Trim, _) => TRIM_AGREEMENT_REL,
         };
         let allowed = agreement * level.peak_ms2 + 3.0 * level.noise_ms2;
         let agrees = |previous: f32| (level.peak_ms2 - previous).abs() <= allowed;
@@ -368,20 +368,20 @@ impl LevelLoop {
         }
         if nothing {
             let searched = (SEARCH_FACTOR * state.drive_peak_v).min(search_limit_peak_v);
-            return self.change(state, searched, Stage::Probe);
+            return self.change(state, searched, Aim::Probe);
         }
         let far = level.peak_ms2 < APPROACH_REL / SEARCH_FACTOR * self.set_peak_ms2;
         if far && level.noise_ms2 > PROBE_NOISE_REL * level.peak_ms2 {
             let wanted = SEARCH_FACTOR * level.peak_ms2;
-            return self.drive_for(state, level, wanted, Stage::Probe);
+            return self.drive_for(state, level, wanted, Aim::Probe);
         }
         state.probe_gain = level.peak_ms2 / state.drive_peak_v;
         let trusted = level.noise_ms2 <= TRUSTED_PROBE_NOISE_REL * level.peak_ms2;
-        let (part, stage) = match state.bend.filter(|_| trusted) {
-            Some(bend) => (self.part_behind_probe(bend), Stage::Trim),
-            None => (APPROACH_REL, Stage::Approach),
+        let (part, aim) = match state.bend.filter(|_| trusted) {
+            Some(bend) => (self.part_behind_probe(bend), Aim::Trim),
+            None => (APPROACH_REL, Aim::Approach),
         };
-        self.drive_for(state, level, part * self.set_peak_ms2, stage)
+        self.drive_for(state, level, part * self.set_peak_ms2, aim)
     }
 
     /// Part of the set level that follows the probe by its gain, of an exciter that bends like this.
@@ -406,7 +406,7 @@ impl LevelLoop {
             (true, _) => Next::Hold,
             (false, _) => {
                 self.count_trim(state, level);
-                self.drive_for(state, level, self.set_peak_ms2, Stage::Trim)
+                self.drive_for(state, level, self.set_peak_ms2, Aim::Trim)
             }
         }
     }
@@ -430,14 +430,14 @@ impl LevelLoop {
         state: &mut LevelState,
         level: Level,
         wanted_peak_ms2: f32,
-        stage: Stage,
+        aim: Aim,
     ) -> Next {
         state.exponent = exponent(state, level);
         // Far from the set level, the exponent may only hold back, and twice as
         // much as seen: it is the mean over a range whose end bends most.
-        let exponent = match state.stage {
-            Stage::Trim => state.exponent,
-            Stage::Probe | Stage::Approach => (2.0 * state.exponent - 1.0).max(1.0),
+        let exponent = match state.aim {
+            Aim::Trim => state.exponent,
+            Aim::Probe | Aim::Approach => (2.0 * state.exponent - 1.0).max(1.0),
         };
         let ratio = libm::powf(wanted_peak_ms2 / level.peak_ms2, 1.0 / exponent);
         let wanted_peak_v = state.drive_peak_v * ratio;
@@ -452,15 +452,15 @@ impl LevelLoop {
         if raised && state.highest_gain * drive_peak_v > TRUSTED_REL * self.set_peak_ms2 {
             return Next::Failed(Reason::LevelNotFollowing);
         }
-        self.change(state, wanted_peak_v, stage)
+        self.change(state, wanted_peak_v, aim)
     }
 
-    fn change(&self, state: &mut LevelState, wanted_peak_v: f32, stage: Stage) -> Next {
+    fn change(&self, state: &mut LevelState, wanted_peak_v: f32, aim: Aim) -> Next {
         let drive_peak_v = wanted_peak_v.min(self.drive_limit_peak_v);
         state.change_rel = (drive_peak_v / state.drive_peak_v - 1.0).abs();
         state.previous_drive_peak_v = state.drive_peak_v;
         state.drive_peak_v = drive_peak_v;
-        state.stage = stage;
+        state.aim = aim;
         state.waits = 0;
         state.rises = Swings::NONE;
         Next::Drive(drive_peak_v)

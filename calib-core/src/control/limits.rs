@@ -1,7 +1,7 @@
 //! Limits of the exciter at a frequency.
 
+use crate::point_state::Reason;
 use crate::settings::Limits;
-use crate::verdict::Reason;
 
 /// Angular frequency, rad/s.
 fn omega(frequency_hz: f32) -> f32 {

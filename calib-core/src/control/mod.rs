@@ -11,7 +11,7 @@
 //! A point before at this level has shown how the gain changes from probe to set level: then the approach is left
 //! out.
 //!
-//! Every state may end in a [`Reason`](crate::verdict::Reason) instead.
+//! Every state may end in a [`Reason`](crate::point_state::Reason) instead.
 
 pub mod level_loop;
 pub mod limits;

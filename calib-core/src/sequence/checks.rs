@@ -1,8 +1,8 @@
 //! The checks of a measured point: Table 2, and what noise and hum do to the result.
 
+use crate::point_state::{PointState, Reason};
 use crate::requirements::{Attainable, VibrationGeneration};
 use crate::settings::Example;
-use crate::verdict::{Reason, Verdict};
 use core::f32::consts::SQRT_2;
 
 /// Least signal over residual of the device under test, dB: below, its noise
@@ -47,7 +47,7 @@ pub struct Measured {
 ///
 /// # Source
 /// ISO 16063-21:2003, Tables 1 and 2.
-pub fn judge(example: Example, measured: &Measured) -> Verdict {
+pub fn judge(example: Example, measured: &Measured) -> PointState {
     let table = VibrationGeneration::of(example);
     let frequency_hz = measured.frequency_hz;
     let table1 = Attainable::of(example);
@@ -83,7 +83,7 @@ pub fn judge(example: Example, measured: &Measured) -> Verdict {
         (SQRT_2 * measured.hum_rel <= attainable_rel, Reason::Hum),
     ];
     let failed = passes.into_iter().find(|(pass, _)| !pass);
-    failed.map_or(Verdict::Pass, |(_, reason)| Verdict::Refused(reason))
+    failed.map_or(PointState::Valid, |(_, reason)| PointState::Refused(reason))
 }
 
 #[cfg(test)]
@@ -104,8 +104,8 @@ mod tests {
 
     fn reason(example: Example, measured: Measured) -> Option<Reason> {
         match judge(example, &measured) {
-            Verdict::Pass => None,
-            Verdict::Refused(reason) => Some(reason),
+            PointState::Valid => None,
+            PointState::Refused(reason) => Some(reason),
         }
     }
 

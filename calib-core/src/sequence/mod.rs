@@ -6,7 +6,7 @@
 //!   ^                  |         |                        |             v
 //!   |                  +---------+------------------------+--------> silence
 //!   +------------------------------ result -----------------------------+
-//!                 any fault: mute, the reason becomes the verdict
+//!                 any fault: mute, the reason becomes the state of the point
 //! ```
 //!
 //! A broadband run (4.4, Note 1) has all its points in one [`Survey`].

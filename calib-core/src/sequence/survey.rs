@@ -19,11 +19,11 @@ use crate::budget::point_budget;
 use crate::converter::MID_SAMPLE;
 use crate::output::Command;
 use crate::point::{ExcitationKind, PointResult, PointSpec};
+use crate::point_state::{PointState, Reason};
 use crate::polarity::Polarity;
 use crate::requirements::VibrationGeneration;
 use crate::settings::Settings;
 use crate::tone::Tone;
-use crate::verdict::{Reason, Verdict};
 
 /// First drive, relative to the drive limit.
 const PROBE_REL: f32 = 0.005;
@@ -68,7 +68,7 @@ struct Motion {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Stage {
+enum State {
     Idle,
     /// A change of drive is on its way, or rings in.
     Waiting {
@@ -90,7 +90,7 @@ pub struct Survey<'m> {
     wanted_rms_ms2: f32,
     /// Codes from mid-scale no wanted level can reach.
     overload_codes: f32,
-    stage: Stage,
+    state: State,
     averaging: bool,
     approaches: u32,
     drive_peak_v: f32,
@@ -120,7 +120,7 @@ impl<'m> Survey<'m> {
             random: false,
             wanted_rms_ms2: 0.0,
             overload_codes: f32::INFINITY,
-            stage: Stage::Idle,
+            state: State::Idle,
             averaging: false,
             approaches: 0,
             drive_peak_v: 0.0,
@@ -177,34 +177,34 @@ impl<'m> Survey<'m> {
         let mut rest = pairs;
         self.at_hand = pairs.len() as u32;
         self.elapsed = self.elapsed.saturating_add(pairs.len() as u32);
-        if !matches!(self.stage, Stage::Idle | Stage::Silencing { .. }) {
+        if !matches!(self.state, State::Idle | State::Silencing { .. }) {
             self.guard(pairs);
         }
         loop {
-            let taken = match self.stage {
-                Stage::Idle => return true,
-                Stage::Waiting { left: 0 } => {
-                    self.stage = Stage::Recording;
+            let taken = match self.state {
+                State::Idle => return true,
+                State::Waiting { left: 0 } => {
+                    self.state = State::Recording;
                     0
                 }
-                Stage::Silencing { left: 0 } => {
-                    self.stage = Stage::Idle;
+                State::Silencing { left: 0 } => {
+                    self.state = State::Idle;
                     return true;
                 }
                 _ if rest.is_empty() => return false,
-                Stage::Waiting { left } => {
+                State::Waiting { left } => {
                     let taken = left.min(rest.len() as u32);
                     let left = left - taken;
-                    self.stage = Stage::Waiting { left };
+                    self.state = State::Waiting { left };
                     taken as usize
                 }
-                Stage::Silencing { left } => {
+                State::Silencing { left } => {
                     let taken = left.min(rest.len() as u32);
                     let left = left - taken;
-                    self.stage = Stage::Silencing { left };
+                    self.state = State::Silencing { left };
                     taken as usize
                 }
-                Stage::Recording => self.record(rest),
+                State::Recording => self.record(rest),
             };
             rest = rest.get(taken..).unwrap_or(&[]);
         }
@@ -212,7 +212,7 @@ impl<'m> Survey<'m> {
 
     /// Ends the run with this reason: lost samples, a stop.
     pub fn interrupt(&mut self, reason: Reason) {
-        if !matches!(self.stage, Stage::Idle | Stage::Silencing { .. }) {
+        if !matches!(self.state, State::Idle | State::Silencing { .. }) {
             self.refuse(reason);
         }
     }
@@ -225,9 +225,9 @@ impl<'m> Survey<'m> {
     /// Where the run stands.
     pub fn progress(&self) -> Progress {
         Progress {
-            activity: match (self.stage, self.averaging) {
-                (Stage::Idle, _) => Activity::Idle,
-                (Stage::Silencing { .. }, _) => Activity::Silencing,
+            activity: match (self.state, self.averaging) {
+                (State::Idle, _) => Activity::Idle,
+                (State::Silencing { .. }, _) => Activity::Silencing,
                 (_, false) => Activity::Settling,
                 (_, true) => Activity::Measuring,
             },
@@ -257,23 +257,23 @@ impl<'m> Survey<'m> {
         result.drive_peak_v = self.drive_peak_v;
         result.settling_s = self.settling_samples as f32 / self.sampling.sample_rate_hz;
         if let Some(reason) = self.fault {
-            result.verdict = Verdict::Refused(reason);
+            result.state = PointState::Refused(reason);
             return result;
         }
         let coherence = self.spectra.coherence(line);
         result.coherence = Some(coherence);
-        result.verdict = match self.spectra.response(line) {
+        result.state = match self.spectra.response(line) {
             Ok(response) => self.state(&mut result, line, response),
-            Err(error) => Verdict::Refused(error.into()),
+            Err(error) => PointState::Refused(error.into()),
         };
         result
     }
 
     /// Fills in sensitivity and uncertainty, and judges the point.
-    fn state(&mut self, result: &mut PointResult, line: usize, response: Response) -> Verdict {
+    fn state(&mut self, result: &mut PointResult, line: usize, response: Response) -> PointState {
         let frequency_hz = line_frequency_hz(line, self.sampling.sample_rate_hz);
         let Some(reference) = self.settings.reference.at(frequency_hz) else {
-            return Verdict::Refused(Reason::FrequencyUnavailable);
+            return PointState::Refused(Reason::FrequencyUnavailable);
         };
         let sensitivity = self
             .settings
@@ -289,7 +289,7 @@ impl<'m> Survey<'m> {
         result.signal_to_noise_dut_db = over_noise_db;
         let budget = point_budget(&self.settings, &reference, result);
         let Ok((magnitude, phase)) = budget.and_then(|budget| budget.expand()) else {
-            return Verdict::Refused(Reason::BudgetInvalid);
+            return PointState::Refused(Reason::BudgetInvalid);
         };
         result.expanded_uncertainty_rel = magnitude.expanded_uncertainty;
         result.coverage_factor = magnitude.coverage.factor;
@@ -298,8 +298,8 @@ impl<'m> Survey<'m> {
         let table = VibrationGeneration::of(self.settings.example);
         let off = frequency_hz / result.spec.frequency_hz - 1.0;
         match off.abs() <= table.frequency_rel {
-            true => Verdict::Pass,
-            false => Verdict::Refused(Reason::FrequencyDeviation),
+            true => PointState::Valid,
+            false => PointState::Refused(Reason::FrequencyDeviation),
         }
     }
 
@@ -341,7 +341,7 @@ impl<'m> Survey<'m> {
         });
         let ramp = u32::from(player::RAMP_SAMPLES);
         let left = self.way_samples() + ramp + SETTLING_SAMPLES;
-        self.stage = Stage::Waiting { left };
+        self.state = State::Waiting { left };
     }
 
     /// Samples until a command is in force, at most.
@@ -476,7 +476,7 @@ impl<'m> Survey<'m> {
     fn refuse(&mut self, reason: Reason) {
         self.fault = Some(reason);
         self.command = Command::Mute;
-        self.stage = Stage::Silencing {
+        self.state = State::Silencing {
             left: self.way_samples(),
         };
     }
@@ -487,7 +487,7 @@ impl<'m> Survey<'m> {
             excitation: self.excitation,
             peak_v: 0.0,
         });
-        self.stage = Stage::Silencing {
+        self.state = State::Silencing {
             left: self.way_samples() + u32::from(player::RAMP_SAMPLES),
         };
     }

@@ -7,8 +7,8 @@ use crate::broadband::{PeriodMemory, SpectraMemory, line_frequency_hz, nearest_l
 use crate::converter::Converters;
 use crate::output::Output;
 use crate::point::{ExcitationKind, PointResult, PointSpec};
+use crate::point_state::{PointState, Reason};
 use crate::settings::Settings;
-use crate::verdict::{Reason, Verdict};
 
 const RATE_HZ: f32 = 50_000.0;
 /// Pairs per buffer, as on the device.
@@ -78,7 +78,7 @@ fn both_kinds_find_the_response_and_its_uncertainty() {
         assert!(silent, "{kind:?}");
         for result in results {
             let hz = f64::from(result.spec.frequency_hz);
-            assert_eq!(result.verdict, Verdict::Pass, "{kind:?} {result:?}");
+            assert_eq!(result.state, PointState::Valid, "{kind:?} {result:?}");
             assert!(result.coherence.is_some_and(|c| c > 0.98));
             assert!((result.acceleration_rms_ms2 / WANTED_RMS_MS2 - 1.0).abs() < 0.06);
             let (magnitude, phase) = dut.response(hz);
@@ -135,7 +135,7 @@ fn every_fault_has_its_name_and_ends_in_silence() {
         let mut request = request(ExcitationKind::Multisine);
         change(&mut plant, &mut settings, &mut request);
         let (results, _, silent) = survey(plant, settings, request, &[spec(1_000.0)]);
-        assert_eq!(results[0].verdict, Verdict::Refused(reason), "{reason:?}");
+        assert_eq!(results[0].state, PointState::Refused(reason), "{reason:?}");
         assert!(silent, "{reason:?}");
     }
 }
@@ -149,7 +149,7 @@ fn a_runaway_is_muted_within_a_buffer() {
     plant.gain = 18_000.0;
     let multisine = request(ExcitationKind::Multisine);
     let (results, _, silent) = survey(plant, settings, multisine, &[spec(1_000.0)]);
-    assert_eq!(results[0].verdict, Verdict::Refused(Reason::Overload));
+    assert_eq!(results[0].state, PointState::Refused(Reason::Overload));
     assert!(silent);
 }
 
@@ -162,7 +162,7 @@ fn a_point_far_from_a_line_is_refused() {
     off.frequency_hz = 160.0;
     let (results, ..) = survey(Plant::new(), settings, multisine, &[off]);
     assert_eq!(
-        results[0].verdict,
-        Verdict::Refused(Reason::FrequencyDeviation)
+        results[0].state,
+        PointState::Refused(Reason::FrequencyDeviation)
     );
 }

@@ -7,10 +7,10 @@ use crate::correlation::FoldMemory;
 use crate::generator::{Drive, Generator, ramp_samples};
 use crate::output::Command;
 use crate::point::{PointResult, PointSpec};
+use crate::point_state::{PointState, Reason};
 use crate::points::default_points;
 use crate::settings::Settings;
 use crate::tone::Tone;
-use crate::verdict::{Reason, Verdict};
 use std::collections::VecDeque;
 
 const RATE_HZ: f64 = 50_000.0;
@@ -266,7 +266,7 @@ fn every_default_point_is_reached_in_time_and_measured() {
         for spec in default_points() {
             let result = rig.point(spec.frequency_hz, spec.acceleration_rms_ms2);
             let hz = spec.frequency_hz;
-            assert_eq!(result.verdict, Verdict::Pass, "{hz} Hz {result:?}");
+            assert_eq!(result.state, PointState::Valid, "{hz} Hz {result:?}");
             assert!(
                 (result.acceleration_rms_ms2 / 10.0 - 1.0).abs() < 1.0e-3,
                 "{hz} {result:?}"
@@ -346,7 +346,7 @@ fn a_drive_that_comes_late_is_waited_for() {
         }
         for hz in [160.0, 40.0, 1000.0, 1250.0, 4000.0] {
             let result = rig.point(hz, 10.0);
-            assert_eq!(result.verdict, Verdict::Pass, "{result:?}");
+            assert_eq!(result.state, PointState::Valid, "{result:?}");
             assert!(result.overshoot_rel < 0.05, "{result:?}");
             assert!(result.settling_s <= settling_limit_s(hz), "{result:?}");
             assert!(rig.generator.is_silent(), "{hz} Hz");
@@ -372,7 +372,7 @@ fn blocks_are_short_only_where_nothing_is_beside_the_tone() {
             let mut rig = Rig::new(&mut memory, plant, 2);
             rig.sequencer.start_run(Settings::field_calibrator(), holds);
             let result = rig.point(hz, 10.0);
-            assert_eq!(result.verdict, Verdict::Pass, "{result:?}");
+            assert_eq!(result.state, PointState::Valid, "{result:?}");
             f64::from(rig.measuring_turns) * HALF as f64 / RATE_HZ / f64::from(result.blocks - 1)
         };
     for hz in [20.0, 31.5, 125.0, 160.0, 1000.0, 8000.0] {
@@ -405,7 +405,7 @@ fn the_point_before_tells_how_the_exciter_bends() {
         let mut rig = Rig::new(&mut memory, plant, 2);
         let settling_s = [800.0, 1000.0].map(|hz| {
             let result = rig.point(hz, 10.0);
-            assert_eq!(result.verdict, Verdict::Pass, "{result:?}");
+            assert_eq!(result.state, PointState::Valid, "{result:?}");
             assert!(result.overshoot_rel < 0.05, "{result:?}");
             result.settling_s
         });
@@ -430,7 +430,7 @@ fn a_point_takes_the_blocks_its_noise_needs() {
         let mut plant = Plant::new();
         plant.dut_noise_codes = noise_codes;
         let result = Rig::new(&mut memory, plant, 1).point(160.0, 10.0);
-        assert_eq!(result.verdict, Verdict::Pass, "{result:?}");
+        assert_eq!(result.state, PointState::Valid, "{result:?}");
         assert!(blocks.contains(&result.blocks), "{noise_codes}: {result:?}");
         let samples = 5000.0 * f32::from(result.blocks);
         let by_noise = noise_codes as f32 * (2.0 / samples).sqrt() / 950.0;
@@ -458,7 +458,11 @@ fn an_offset_as_large_as_the_signal_is_no_overload() {
         for spec in default_points() {
             if usual(spec.frequency_hz) {
                 let result = rig.point(spec.frequency_hz, 0.5);
-                assert_eq!(result.verdict, Verdict::Pass, "{offset_codes}: {result:?}");
+                assert_eq!(
+                    result.state,
+                    PointState::Valid,
+                    "{offset_codes}: {result:?}"
+                );
             }
         }
     }
@@ -477,7 +481,7 @@ fn bent_gains_and_other_suspensions_are_still_reached_in_time() {
             let mut rig = Rig::new(&mut memory, plant, 2);
             for hz in [20.0, 31.5, 40.0, 63.0, 160.0, 1000.0, 3150.0, 10_000.0] {
                 let result = rig.point(hz, 10.0);
-                assert_eq!(result.verdict, Verdict::Pass, "{hz} Hz {result:?}");
+                assert_eq!(result.state, PointState::Valid, "{hz} Hz {result:?}");
                 let error = result.acceleration_rms_ms2 / 10.0 - 1.0;
                 assert!(error.abs() < 1.0e-3, "{hz} Hz: {result:?}");
                 assert!(
@@ -515,9 +519,9 @@ fn refused(change: impl FnOnce(&mut Plant), hz: f32, level: f32) -> (Reason, f64
     let mut rig = Rig::new(&mut memory, plant, 2);
     let result = rig.point(hz, level);
     assert!(rig.generator.is_silent(), "{result:?}");
-    match result.verdict {
-        Verdict::Refused(reason) => (reason, rig.plant.peak_ms2),
-        Verdict::Pass => panic!("passed: {result:?}"),
+    match result.state {
+        PointState::Refused(reason) => (reason, rig.plant.peak_ms2),
+        PointState::Valid => panic!("passed: {result:?}"),
     }
 }
 
@@ -588,7 +592,7 @@ fn a_runaway_is_muted_within_two_blocks() {
         assert!(buffers < 10, "still driven");
     }
     let result = (0..100).find_map(|_| rig.turn()).expect("a result");
-    assert_eq!(result.verdict, Verdict::Refused(Reason::Overload));
+    assert_eq!(result.state, PointState::Refused(Reason::Overload));
 }
 
 #[test]
@@ -608,6 +612,6 @@ fn an_interrupted_point_is_muted_at_once() {
         rig.obey();
         assert!(rig.generator.is_silent());
         let result = (0..100).find_map(|_| rig.turn()).expect("a result");
-        assert_eq!(result.verdict, Verdict::Refused(reason));
+        assert_eq!(result.state, PointState::Refused(reason));
     }
 }

@@ -257,7 +257,7 @@ fn square_at_10_khz(point: &PointResult) -> f32 {
 mod tests {
     use super::*;
     use crate::point::PointSpec;
-    use crate::verdict::Reason;
+    use crate::point_state::Reason;
 
     #[test]
     fn relative_motion_grows_with_the_square_of_the_frequency() {

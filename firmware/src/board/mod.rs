@@ -69,7 +69,7 @@ pub(crate) use usb::{
 pub(crate) use wiring::{Port, UsbParts, wiring};
 
 use crate::retained;
-use calib_firmware::restarts::{LeftOut, Stage};
+use calib_firmware::restarts::{LeftOut, Reached};
 use embassy_stm32::peripherals;
 use embassy_stm32::wdg::IndependentWatchdog;
 
@@ -150,7 +150,7 @@ impl Board {
         cache::count_cycles();
         let wired = selected::wire(part);
         let exciter = Exciter::new(wired.exciter);
-        retained::enter(Stage::Converters);
+        retained::enter(Reached::Converters);
         let digitiser = match left_out.has(LeftOut::CONVERTERS) {
             true => None,
             false => {
@@ -158,7 +158,7 @@ impl Board {
                 digitiser.await.ok()
             }
         };
-        retained::enter(Stage::Running);
+        retained::enter(Reached::Running);
         let [green, yellow, red] = wired.lamps.map(Lamp::new);
         Self {
             clocked,

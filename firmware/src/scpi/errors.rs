@@ -35,7 +35,7 @@ pub enum ScpiError {
     Hardware = -240,
     /// No result: nothing was measured since the last change, or not yet.
     DataStale = -230,
-    /// The point was refused; `FETCh:VERDict?` has the reason.
+    /// The point was refused; `FETCh:STATe?` has the reason.
     PointRefused = -300,
     /// The record area failed.
     StorageFault = -320,
@@ -98,7 +98,7 @@ impl ScpiError {
             Self::TooMuchData => "Too much data",
             Self::Hardware => "Hardware error;see DIAG:DEF?",
             Self::DataStale => "Data corrupt or stale;INIT, then wait with *OPC?",
-            Self::PointRefused => "Device-specific error;point refused, see FETC:VERD?",
+            Self::PointRefused => "Device-specific error;point refused, see FETC:STAT?",
             Self::StorageFault => "Storage fault",
             Self::OutOfMemory => "Out of memory;release downloaded records",
             Self::QueueOverflow => "Queue overflow",

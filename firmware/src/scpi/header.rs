@@ -8,7 +8,7 @@ pub(super) enum Quantity {
     Sensitivity,
     Phase,
     Uncertainty,
-    Verdict,
+    State,
     /// All of them at every point of a list.
     List,
 }
@@ -21,7 +21,7 @@ impl Quantity {
             Self::Sensitivity => "FETC:SENS?",
             Self::Phase => "FETC:PHAS?",
             Self::Uncertainty => "FETC:UNC?",
-            Self::Verdict => "FETC:VERD?",
+            Self::State => "FETC:STAT?",
             Self::List => "FETC:LIST?",
         }
     }
@@ -104,19 +104,19 @@ const HEADERS: &[(&str, Command)] = &[
     ("FETCh:SENSitivity?", Fetch(Sensitivity)),
     ("FETCh:PHASe?", Fetch(Phase)),
     ("FETCh:UNCertainty?", Fetch(Uncertainty)),
-    ("FETCh:VERDict?", Fetch(Verdict)),
+    ("FETCh:STATe?", Fetch(State)),
     ("FETCh:LIST?", Fetch(List)),
     ("READ?", Read(All)),
     ("READ:SENSitivity?", Read(Sensitivity)),
     ("READ:PHASe?", Read(Phase)),
     ("READ:UNCertainty?", Read(Uncertainty)),
-    ("READ:VERDict?", Read(Verdict)),
+    ("READ:STATe?", Read(State)),
     ("READ:LIST?", Read(List)),
     ("MEASure?", Measure(All)),
     ("MEASure:SENSitivity?", Measure(Sensitivity)),
     ("MEASure:PHASe?", Measure(Phase)),
     ("MEASure:UNCertainty?", Measure(Uncertainty)),
-    ("MEASure:VERDict?", Measure(Verdict)),
+    ("MEASure:STATe?", Measure(State)),
     ("MEASure:LIST?", Measure(List)),
     ("MMEMory:CATalog?", Catalog),
     ("MMEMory:DATA?", Data),
@@ -193,7 +193,7 @@ mod unit {
         ] {
             assert_eq!(find(header), None, "{header}");
         }
-        for quantity in [All, Sensitivity, Phase, Uncertainty, Verdict, List] {
+        for quantity in [All, Sensitivity, Phase, Uncertainty, State, List] {
             assert_eq!(find(quantity.fetch()), Some(Fetch(quantity)));
         }
     }

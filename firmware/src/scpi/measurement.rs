@@ -5,8 +5,8 @@ use super::header::Quantity;
 use super::number::{NOT_A_NUMBER, number, put};
 use crate::command::{self, Instrument};
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
+use calib_core::point_state::PointState;
 use calib_core::tone::Tone;
-use calib_core::verdict::Verdict;
 use calib_protocol::message::{Request, Response, RunSpec};
 use calib_protocol::record::RunLabels;
 use core::f32::consts::SQRT_2;
@@ -200,7 +200,7 @@ impl Measurement {
             .ok_or(ScpiError::DataStale)
     }
 
-    /// Writes frequency, sensitivity, phase, uncertainty and verdict of every point of the list.
+    /// Writes frequency, sensitivity, phase, uncertainty and state of every point of the list.
     fn fetch_list(
         &self,
         instrument: &mut impl Instrument,
@@ -220,9 +220,9 @@ impl Measurement {
                 let _ = out.write_str(",");
                 put(out, valid.as_ref().map_or(NOT_A_NUMBER, value));
             }
-            let _ = match result.map(|result| result.verdict) {
-                Ok(Verdict::Pass) => out.write_str(",VALID"),
-                Ok(Verdict::Refused(reason)) => write!(out, ",{reason:?}"),
+            let _ = match result.map(|result| result.state) {
+                Ok(PointState::Valid) => out.write_str(",VALID"),
+                Ok(PointState::Refused(reason)) => write!(out, ",{reason:?}"),
                 Err(_) => out.write_str(",NONE"),
             };
             worst = worst.and(valid.map(drop));
@@ -241,8 +241,8 @@ impl Measurement {
             return self.fetch_list(instrument, out);
         }
         let result = self.result(What::Point, 0, self.point, instrument);
-        if quantity == Quantity::Verdict {
-            put_verdict(out, result);
+        if quantity == Quantity::State {
+            put_state(out, result);
             return result.map(drop);
         }
         let valid = valid(result);
@@ -260,7 +260,7 @@ impl Measurement {
                 put(out, valid.as_ref().map_or(NOT_A_NUMBER, value));
             }
             let _ = out.write_str(",");
-            put_verdict(out, result);
+            put_state(out, result);
         }
         valid.map(drop)
     }
@@ -278,9 +278,9 @@ fn frequency(text: &str, instrument: &mut impl Instrument) -> Result<f32, ScpiEr
 
 /// A result that may be used.
 fn valid(result: Result<PointResult, ScpiError>) -> Result<PointResult, ScpiError> {
-    result.and_then(|result| match result.verdict {
-        Verdict::Pass => Ok(result),
-        Verdict::Refused(_) => Err(ScpiError::PointRefused),
+    result.and_then(|result| match result.state {
+        PointState::Valid => Ok(result),
+        PointState::Refused(_) => Err(ScpiError::PointRefused),
     })
 }
 
@@ -297,10 +297,10 @@ fn expanded_uncertainty(result: &PointResult) -> f32 {
     result.expanded_uncertainty_rel * result.sensitivity_v_per_ms2
 }
 
-fn put_verdict(out: &mut impl Write, result: Result<PointResult, ScpiError>) {
-    let _ = match result.map(|result| result.verdict) {
-        Ok(Verdict::Pass) => out.write_str("VALID"),
-        Ok(Verdict::Refused(reason)) => write!(out, "REFUSED,{reason:?}"),
+fn put_state(out: &mut impl Write, result: Result<PointResult, ScpiError>) {
+    let _ = match result.map(|result| result.state) {
+        Ok(PointState::Valid) => out.write_str("VALID"),
+        Ok(PointState::Refused(reason)) => write!(out, "REFUSED,{reason:?}"),
         Err(_) => out.write_str("NONE"),
     };
 }

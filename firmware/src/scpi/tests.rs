@@ -4,10 +4,10 @@ use super::Console;
 use crate::command::{Instrument, RecordPage, RecordPart};
 use crate::link;
 use calib_core::point::PointResult;
+use calib_core::point_state::{PointState, Reason};
 use calib_core::self_test::{Check, Line, MAX_LINES};
 use calib_core::settings::Settings;
 use calib_core::stored_list::{Band, Base, ListTerms, Rule, StoredList, StoredLists};
-use calib_core::verdict::{Reason, Verdict};
 use calib_protocol::capture::CapturePart;
 use calib_protocol::frame::{self, Frame, MAX_FRAME};
 use calib_protocol::health::{Defect, Defects, Health};
@@ -106,7 +106,7 @@ impl Instrument for Bench {
     fn point(&mut self, index: u16) -> Option<PointResult> {
         let spec = *self.spec.as_ref()?.points.get(usize::from(index))?;
         let mut result = PointResult::refused(spec, None, Reason::Clipped);
-        result.verdict = self.refused.map_or(Verdict::Pass, Verdict::Refused);
+        result.state = self.refused.map_or(PointState::Valid, PointState::Refused);
         result.sensitivity_v_per_ms2 = 0.01;
         result.expanded_uncertainty_rel = 0.008;
         result.phase_rad = core::f32::consts::FRAC_PI_2;
@@ -305,14 +305,14 @@ fn a_point_is_measured_by_text_alone() {
     b.running = false;
     assert_eq!(say(b, "*OPC?;FETC:SENS?;PHAS?"), "1;1E-2;9E1\n");
     // 0.8 % of 0.01.
-    let both = say(b, "FETC:UNC?;:FETC:VERD?");
-    let (uncertainty, verdict) = both.split_once(';').expect("two answers");
+    let both = say(b, "FETC:UNC?;:FETC:STAT?");
+    let (uncertainty, state) = both.split_once(';').expect("two answers");
     let uncertainty: f32 = uncertainty.parse().expect("a number");
     // Three roundings of f32.
     assert!((uncertainty / 8e-5 - 1.0).abs() < 2e-7, "{uncertainty}");
-    assert_eq!(verdict, "VALID\n");
+    assert_eq!(state, "VALID\n");
     b.refused = Some(Reason::Clipped);
-    assert_eq!(say(b, "FETC:VERD?;FETC:SENS?"), "REFUSED,Clipped;9.91E37\n");
+    assert_eq!(say(b, "FETC:STAT?;FETC:SENS?"), "REFUSED,Clipped;9.91E37\n");
     // PHAS? was a command error (32), the refused point one of the device (8), the
     // ignored start and the stale result of execution (16).
     assert_eq!(say(b, "*ESR?;*ESR?"), "56;0\n");
@@ -361,7 +361,7 @@ fn what_follows_a_wait_is_answered_after_it() {
         ("INIT;*WAI;FETC:PHAS?", "", "9E1\n"),
         ("READ:SENS?", "", "1E-2\n"),
         ("MEAS:PHAS? 0.25 kHz, 50", "", "9E1\n"),
-        ("MEAS:VERD? ,10", "", "VALID\n"),
+        ("MEAS:STAT? ,10", "", "VALID\n"),
         (
             "SYST:VERS?;MEAS:SENS?;PHAS?;:CONF:FREQ?",
             "1999.0",
@@ -419,7 +419,7 @@ fn a_measurement_that_cannot_begin_is_answered_at_once() {
     );
     bench.running = false;
     bench.other_host = true;
-    let answer = line(&mut link, &mut bench, "*CLS;READ:VERD?;SYST:ERR?");
+    let answer = line(&mut link, &mut bench, "*CLS;READ:STAT?;SYST:ERR?");
     assert!(answer.starts_with("NONE;-203,"), "{answer}");
 }
 

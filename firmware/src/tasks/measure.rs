@@ -10,8 +10,8 @@ use calib_core::closing::Closing;
 use calib_core::correlation::FoldMemory;
 use calib_core::output::Command;
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
+use calib_core::point_state::{PointState, Reason};
 use calib_core::sequence::{Activity, Sampling, Sequencer, Survey, SurveyRequest};
-use calib_core::verdict::{Reason, Verdict};
 use calib_protocol::health::Work;
 use calib_protocol::message::RunState;
 use calib_protocol::stored_point::as_stored;
@@ -233,7 +233,7 @@ impl Runner {
         defmt::info!(
             "{} Hz: {}, {} V/(m/s2) at {} m/s2",
             result.spec.frequency_hz,
-            result.verdict,
+            result.state,
             result.sensitivity_v_per_ms2,
             result.acceleration_rms_ms2
         );
@@ -241,7 +241,7 @@ impl Runner {
         if self.closes {
             return self.close(&result);
         }
-        if let Verdict::Refused(reason) = result.verdict {
+        if let PointState::Refused(reason) = result.state {
             self.stopping = self.stopping.or(reason.ends_run().then_some(reason));
         }
         // The same numbers now as in the record later.
@@ -304,7 +304,7 @@ fn repeatable() -> Option<PointResult> {
             run.spec.points.len() > 1 && run.spec.excitation == ExcitationKind::SingleSine;
         let mut results = run.results.iter().filter(|_| several);
         results
-            .find(|result| result.verdict == Verdict::Pass)
+            .find(|result| result.state == PointState::Valid)
             .copied()
     })
 }

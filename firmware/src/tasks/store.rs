@@ -9,7 +9,7 @@ use calib_core::self_test::WrongWords;
 use calib_core::stored_list::{StoredList, StoredLists};
 use calib_firmware::archive::{Archive, Directory, LastAccess, MAX_ITEM, Memory};
 use calib_firmware::command::{RecordPage, RecordPart};
-use calib_firmware::restarts::{LeftOut, Stage};
+use calib_firmware::restarts::{LeftOut, Reached};
 use calib_protocol::health::Defect;
 use calib_protocol::lists::{KeptList, ListChange};
 use calib_protocol::message::{Refusal, RunState, SettingsChange};
@@ -203,12 +203,12 @@ pub(crate) async fn store(
     match identity.left_out.has(LeftOut::ARCHIVE) {
         true => state::note_defect(Defect::Archive, true),
         false => {
-            retained::enter(Stage::Archive);
+            retained::enter(Reached::Archive);
             open(archive, flash).await;
         }
     }
     state::STORED_READ.store(true, Ordering::Relaxed);
-    retained::enter(Stage::Running);
+    retained::enter(Reached::Running);
     // What made the board restart belongs to the first record after it.
     let mut incident = identity.incident.clone();
     loop {

@@ -4,7 +4,7 @@ use crate::board::{Lamps, PushButton, Watchdog, silence_now, unused_stack_bytes}
 use crate::instrument::Calibrator;
 use crate::retained;
 use crate::state::{self, Order};
-use calib_core::verdict::{Reason, Verdict};
+use calib_core::point_state::{PointState, Reason};
 use calib_firmware::button::{Button, PERIOD_MS, Press};
 use calib_firmware::lamps::{Lit, Shown};
 use calib_firmware::lease::Lease;
@@ -172,7 +172,7 @@ fn shown(state: RunState) -> Shown {
         let run = run.borrow();
         run.results
             .iter()
-            .any(|point| point.verdict != Verdict::Pass)
+            .any(|point| point.state != PointState::Valid)
     });
     match state == RunState::Failed || refused {
         true => Shown::Refused,

@@ -3,8 +3,8 @@
 
 use crate::board::{NotReady, SensorConverter, factory_codes};
 use crate::state::{self, Order};
+use calib_core::point_state::Reason;
 use calib_core::thermometer::{Thermometer, may_work_at};
-use calib_core::verdict::Reason;
 use embassy_time::{Duration, Ticker, Timer};
 
 /// A board warms up over minutes; a run that must not go on ends this soon.

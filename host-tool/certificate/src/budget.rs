@@ -19,8 +19,8 @@ use super::resonance::Mounted;
 use super::temperature::Distance;
 use calib_core::budget::{Budget as CoreBudget, Component, PointBudget, Row, point_budget};
 use calib_core::point::PointResult;
+use calib_core::point_state::PointState;
 use calib_core::settings::{Distribution, Settings};
-use calib_core::verdict::Verdict;
 use calib_output::number::decimal;
 use calib_protocol::record::Record;
 
@@ -358,7 +358,7 @@ impl<'a> Basis<'a> {
 
 /// Says why no point has a budget, where that is why there is no result.
 pub(super) fn say_why_none(certificate: &mut Certificate, basis: &Basis<'_>) {
-    let valid = |point: &&PointResult| point.verdict == Verdict::Pass;
+    let valid = |point: &&PointResult| point.state == PointState::Valid;
     let mut points = basis.record.points.iter().filter(valid);
     let problem = points.find_map(|point| basis.certified(point).err());
     certificate.remarks.extend(problem.map(|problem| Remark {

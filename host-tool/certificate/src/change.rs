@@ -4,7 +4,7 @@ use super::budget::Basis;
 use super::mountings::Mountings;
 use super::particulars::Particulars;
 use calib_core::point::PointResult;
-use calib_core::verdict::Verdict;
+use calib_core::point_state::PointState;
 use calib_protocol::record::Record;
 
 /// Relative expanded uncertainty (95.45 %) of the change from one calibration to another at a frequency, without
@@ -45,7 +45,7 @@ pub fn with_certified_uncertainty(record: &Record, particulars: &Particulars) ->
     for point in &mut certified.points {
         let stated = basis
             .uncertainty(point)
-            .filter(|_| point.verdict == Verdict::Pass);
+            .filter(|_| point.state == PointState::Valid);
         if let Some(stated) = stated {
             point.expanded_uncertainty_rel = stated.expanded_rel as f32;
             point.expanded_uncertainty_phase_rad = stated.expanded_phase_rad as f32;
@@ -58,7 +58,7 @@ pub fn with_certified_uncertainty(record: &Record, particulars: &Particulars) ->
 fn point(record: &Record, frequency_hz: f64) -> Option<&PointResult> {
     record.points.iter().find(|point| {
         let near = (f64::from(point.spec.frequency_hz) / frequency_hz - 1.0).abs() <= 0.01;
-        near && point.verdict == Verdict::Pass
+        near && point.state == PointState::Valid
     })
 }
 

@@ -20,7 +20,7 @@ use super::stored::{run_day, unix_day};
 use super::substitution::{self, Standard};
 use calib_core::closing::Closing;
 use calib_core::point::PointResult;
-use calib_core::verdict::Verdict;
+use calib_core::point_state::PointState;
 use calib_output::PointView;
 use calib_output::number::decimal;
 use calib_protocol::clock::ClockReading;
@@ -208,10 +208,10 @@ fn outcome(
     of_sensor: OfSensor,
     basis: &Basis<'_>,
 ) -> Result<PointValues, Refusal> {
-    match result.verdict {
-        Verdict::Refused(reason) => Err(Refusal(format!("{reason:?}"))),
+    match result.state {
+        PointState::Refused(reason) => Err(Refusal(format!("{reason:?}"))),
         // A result without a valid U is none, whatever the verdict says.
-        Verdict::Pass => {
+        PointState::Valid => {
             values(result, of_sensor, basis).ok_or_else(|| Refusal("NotReportable".to_owned()))
         }
     }

@@ -10,7 +10,7 @@
 
 use super::model::{Certificate, Entry, Value};
 use calib_core::point::{PointResult, PointSpec};
-use calib_core::verdict::Verdict;
+use calib_core::point_state::PointState;
 use calib_files::{Error, Result};
 use calib_protocol::record::Record;
 use schemars::JsonSchema;
@@ -50,7 +50,7 @@ pub fn scatter(runs: &[&[PointResult]]) -> Vec<MountingScatter> {
     let of_all = |point: &PointResult| {
         let same = others.iter().map(|run| twin(run, &point.spec));
         let all: Option<Vec<&PointResult>> = std::iter::once(Some(point)).chain(same).collect();
-        let all = all.filter(|all| all.iter().all(|p| p.verdict == Verdict::Pass))?;
+        let all = all.filter(|all| all.iter().all(|p| p.state == PointState::Valid))?;
         Some(of_point(&all))
     };
     first.iter().filter_map(of_all).collect()
@@ -132,10 +132,10 @@ impl Mountings {
         for point in &mut joined.points {
             let refused = others.iter().find_map(|other| {
                 let twin = twin(&other.points, &point.spec)?;
-                (twin.verdict != Verdict::Pass).then_some(twin.verdict)
+                (twin.state != PointState::Valid).then_some(twin.state)
             });
-            if let (Verdict::Pass, Some(verdict)) = (point.verdict, refused) {
-                point.verdict = verdict;
+            if let (PointState::Valid, Some(verdict)) = (point.state, refused) {
+                point.state = verdict;
             }
             if let Some(mean) = mountings.of(&point.spec) {
                 point.sensitivity_v_per_ms2 = mean.sensitivity_v_per_ms2 as f32;
@@ -253,9 +253,9 @@ mod tests {
     #[test]
     fn a_point_that_was_refused_in_one_mounting_has_no_result() {
         let mut records = three();
-        let reason = calib_core::verdict::Reason::NotSettled;
-        records[2].points[0].verdict = Verdict::Refused(reason);
+        let reason = calib_core::point_state::Reason::NotSettled;
+        records[2].points[0].state = PointState::Refused(reason);
         let (joined, _) = Mountings::join(&records[0], &records[1..]).expect("one device");
-        assert_eq!(joined.points[0].verdict, Verdict::Refused(reason));
+        assert_eq!(joined.points[0].state, PointState::Refused(reason));
     }
 }

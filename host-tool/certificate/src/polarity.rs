@@ -7,8 +7,8 @@
 
 use super::kind::{OfSensor, SensorKind};
 use calib_core::point::PointResult;
+use calib_core::point_state::PointState;
 use calib_core::quantity::{MotionQuantity, Sensitivity};
-use calib_core::verdict::Verdict;
 use calib_output::number::decimal;
 use std::f32::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
@@ -59,7 +59,7 @@ impl Polarity {
 
     /// Hears of the next point: the first that is valid decides.
     pub fn hear(&mut self, result: &PointResult) {
-        if self.decided.is_some() || result.verdict != Verdict::Pass {
+        if self.decided.is_some() || result.state != PointState::Valid {
             return;
         }
         let phase_rad = self.against_motion_rad(result);
@@ -128,7 +128,7 @@ fn turned_back(phase_deg: f64, turned: bool) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use calib_core::verdict::Reason;
+    use calib_core::point_state::Reason;
     use calib_record::sample::point;
 
     fn kind(text: &str) -> SensorKind {
@@ -164,7 +164,7 @@ mod tests {
     #[test]
     fn the_first_valid_point_decides_and_what_it_decides_holds() {
         let mut refused = measured(180.0, true);
-        refused.verdict = Verdict::Refused(Reason::Hum);
+        refused.state = PointState::Refused(Reason::Hum);
         // A lag of 100 degrees at the end of the range, measured again alone: the instrument took it for inverted.
         let (first, again) = (measured(-2.0, false), measured(80.0, true));
         let polarity = Polarity::of(SensorKind::default(), [&refused, &first, &again]);

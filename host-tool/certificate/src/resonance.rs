@@ -17,8 +17,8 @@ use super::kind::SensorKind;
 use super::model::{Certificate, Entry, MountedResonance, Remark, Severity, Value};
 use super::particulars::Particulars;
 use calib_core::point::PointResult;
+use calib_core::point_state::PointState;
 use calib_core::settings::Settings;
-use calib_core::verdict::Verdict;
 use calib_protocol::record::Record;
 
 /// Relative shift of a mounted resonance by another torque, grease or face, where nobody states one: makers draw one
@@ -203,7 +203,12 @@ fn rises(
     kind: SensorKind,
     of_ratio: impl Fn(&PointResult, &PointResult) -> Option<f64>,
 ) -> Vec<Rise> {
-    let valid = || record.points.iter().filter(|p| p.verdict == Verdict::Pass);
+    let valid = || {
+        record
+            .points
+            .iter()
+            .filter(|p| p.state == PointState::Valid)
+    };
     let hz = |point: &PointResult| f64::from(point.tone.frequency_hz(record.head.sample_rate_hz));
     let octaves = |value: f64, of: f64| (value / of).log2().abs();
     let far = |point: &PointResult| {

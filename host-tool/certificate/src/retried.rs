@@ -9,7 +9,7 @@ use super::model::{Certificate, Entry, Value};
 use super::stored::run_day;
 use calib_core::closing::Closing;
 use calib_core::point::{PointResult, PointSpec};
-use calib_core::verdict::Verdict;
+use calib_core::point_state::PointState;
 use calib_files::{Error, Result};
 use calib_output::number::decimal;
 use calib_protocol::record::Record;
@@ -59,7 +59,10 @@ pub fn completes(record: &Record, later: &Record) -> bool {
 
 /// Points of a record that have no result: refused, or never tried.
 pub fn without_result(record: &Record) -> impl Iterator<Item = PointSpec> {
-    let refused = record.points.iter().filter(|p| p.verdict != Verdict::Pass);
+    let refused = record
+        .points
+        .iter()
+        .filter(|p| p.state != PointState::Valid);
     let refused = refused.map(|point| point.spec);
     refused.chain(record.untried.iter().copied())
 }
@@ -90,13 +93,16 @@ fn of_record(record: &Record) -> Value {
 }
 
 fn valid(record: &Record) -> impl Iterator<Item = &PointResult> {
-    record.points.iter().filter(|p| p.verdict == Verdict::Pass)
+    record
+        .points
+        .iter()
+        .filter(|p| p.state == PointState::Valid)
 }
 
 /// Puts a result in the place of a point without; false where there is none.
 fn take(whole: &mut Record, point: &PointResult) -> bool {
     let mut points = whole.points.iter_mut();
-    let refused = points.find(|p| p.spec == point.spec && p.verdict != Verdict::Pass);
+    let refused = points.find(|p| p.spec == point.spec && p.state != PointState::Valid);
     if let Some(refused) = refused {
         *refused = *point;
         return true;
@@ -166,7 +172,7 @@ mod tests {
     use crate::decision::Stated;
     use crate::{Certificate, Language, Particulars};
     use calib_core::closing::Change;
-    use calib_core::verdict::Reason;
+    use calib_core::point_state::Reason;
     use calib_record::sample::{point, record};
 
     const HZ: [f32; 3] = [80.0, 160.0, 1000.0];
@@ -174,7 +180,7 @@ mod tests {
     /// 80 Hz refused, 1 kHz and 2 kHz never tried; and what measured 80 and 1000 Hz again.
     fn pair() -> (Record, Record) {
         let mut first = record(&HZ);
-        first.points[0].verdict = Verdict::Refused(Reason::NotSettled);
+        first.points[0].state = PointState::Refused(Reason::NotSettled);
         first.points.truncate(2);
         let spec = |hz| point(hz).spec;
         first.untried = [1000.0, 2000.0].map(spec).into_iter().collect();
@@ -219,7 +225,7 @@ mod tests {
         assert!(because.starts_with("2 of 3 points"), "{because}");
         // Never tried alone keeps it from a verdict, too.
         let mut begun = first.clone();
-        begun.points[0].verdict = Verdict::Pass;
+        begun.points[0].state = PointState::Valid;
         assert_eq!(stated(&begun).0, Stated::NotJudgeable);
         let whole = complete(&first, &[later]).expect("one calibration");
         assert_eq!(stated(&whole).0, Stated::Pass);

@@ -15,8 +15,8 @@ use super::mountings::Mountings;
 use super::particulars::{Equipment, Item, Particulars};
 use calib_core::budget::{Budget, Component, Row};
 use calib_core::point::{PointResult, PointSpec};
+use calib_core::point_state::{PointState, Reason};
 use calib_core::settings::Distribution;
-use calib_core::verdict::{Reason, Verdict};
 use calib_files::{Error, Result};
 use calib_protocol::record::Record;
 use jiff::civil::Date;
@@ -89,7 +89,7 @@ pub fn substitute(
     let result = |point: &PointResult| {
         let (before, known) = pair.at(&point.spec)?;
         let ratio = of_ratio.of_substitution(point, &pair.basis, before)?;
-        (point.verdict == Verdict::Pass).then_some(())?;
+        (point.state == PointState::Valid).then_some(())?;
         Some(Substituted {
             frequency_hz: point.spec.frequency_hz,
             set_acceleration_rms_ms2: point.spec.acceleration_rms_ms2,
@@ -125,7 +125,7 @@ pub(super) fn join(device: &Record, standard: &Standard) -> Result<Record> {
     belong_together(&standard.record, device)?;
     let mut joined = device.clone();
     for point in &mut joined.points {
-        if point.verdict != Verdict::Pass {
+        if point.state != PointState::Valid {
             continue;
         }
         match pair_of(standard, &point.spec) {
@@ -134,10 +134,10 @@ pub(super) fn join(device: &Record, standard: &Standard) -> Result<Record> {
                 let ratio = found / f64::from(before.sensitivity_v_per_ms2);
                 point.sensitivity_v_per_ms2 = (known.sensitivity_v_per_ms2 * ratio) as f32;
             }
-            None => point.verdict = Verdict::Refused(Reason::FrequencyUnavailable),
+            None => point.state = PointState::Refused(Reason::FrequencyUnavailable),
         }
     }
-    match joined.points.iter().any(|p| p.verdict == Verdict::Pass) {
+    match joined.points.iter().any(|p| p.state == PointState::Valid) {
         true => Ok(joined),
         false => Err(Error::input(
             format!("records {} and {}", standard.record.head.id, device.head.id),
@@ -156,7 +156,7 @@ fn pair_of<'s>(
     let mut certified = standard.certified.iter();
     let known = certified.find(|known| near(known.frequency_hz))?;
     let mut points = standard.record.points.iter();
-    let before = points.find(|p| p.spec == *spec && p.verdict == Verdict::Pass)?;
+    let before = points.find(|p| p.spec == *spec && p.state == PointState::Valid)?;
     (before.sensitivity_v_per_ms2 > 0.0).then_some((before, known))
 }
 

@@ -5,7 +5,7 @@ use super::{
     Format, Known, Language, Options, Particulars, SensitivityUnit, Specified, render, write_with,
 };
 use crate::decision::Conformity;
-use calib_core::verdict::{Reason, Verdict};
+use calib_core::point_state::{PointState, Reason};
 use calib_protocol::record::Record;
 use calib_record::sample::{SENSITIVITY_V_PER_MS2, THIRD_OCTAVES_HZ, point, record, text, truth};
 
@@ -57,7 +57,7 @@ fn the_reference_point_is_160_hz_and_states_its_uncertainty() {
 #[test]
 fn the_reference_point_moves_to_80_hz_when_160_hz_was_refused() {
     let mut record = record(&[40.0, 80.0, 160.0, 315.0]);
-    record.points[2].verdict = Verdict::Refused(Reason::Distortion);
+    record.points[2].state = PointState::Refused(Reason::Distortion);
     let certificate = Certificate::from_record(&record, &Particulars::default());
     let (point, _) = certificate.reference_result().expect("a reference point");
     assert_eq!(point.nominal_frequency_hz, 80.0);
@@ -75,7 +75,7 @@ fn among_levels_at_160_hz_100_ms2_comes_first_then_10() {
         point.nominal_acceleration_ms2
     };
     assert_eq!(level(&record), 100.0);
-    record.points[2].verdict = Verdict::Refused(Reason::Overload);
+    record.points[2].state = PointState::Refused(Reason::Overload);
     assert_eq!(level(&record), 10.0);
 }
 
@@ -138,7 +138,7 @@ fn json_gives_numbers_that_are_not_rounded() {
 #[test]
 fn a_refused_point_has_a_reason_and_no_result() {
     let mut record = record(&[160.0, 1000.0]);
-    record.points[1].verdict = Verdict::Refused(Reason::SignalToNoise);
+    record.points[1].state = PointState::Refused(Reason::SignalToNoise);
     let rows = rows(&rendered(&record, Format::Csv, Language::En), b',');
     assert_eq!(
         (rows[1]["state"].as_str(), rows[1]["reason"].as_str()),
@@ -159,7 +159,7 @@ fn a_failure_stays_one_when_another_point_was_refused() {
         let particulars: Particulars = toml::from_str(text).expect("TOML");
         let mut record = record(&[160.0, 1000.0]);
         if refused {
-            record.points[1].verdict = Verdict::Refused(Reason::Distortion);
+            record.points[1].state = PointState::Refused(Reason::Distortion);
         }
         Certificate::from_record(&record, &particulars)
     };

@@ -3,7 +3,7 @@
 use super::model::Certificate;
 use super::python::{python, shared};
 use super::{Amendment, Format, Language, Options, Particulars, Seal, prepare, render};
-use calib_core::verdict::{Reason, Verdict};
+use calib_core::point_state::{PointState, Reason};
 use calib_record::sample::{THIRD_OCTAVES_HZ, record, text};
 use calib_signing::LaboratoryKey;
 use jiff::Timestamp;
@@ -22,9 +22,9 @@ fn variants() -> Vec<Vec<u8>> {
     let mut hostile = record(&[160.0]);
     hostile.head.labels.dut_serial = text("O'Neil & <b>Söhne</b> 🎛 \u{7}");
     let mut partly = record(&THIRD_OCTAVES_HZ);
-    partly.points[3].verdict = Verdict::Refused(Reason::NotSettled);
+    partly.points[3].state = PointState::Refused(Reason::NotSettled);
     let mut none = record(&[160.0]);
-    none.points[0].verdict = Verdict::Refused(Reason::DutOpen);
+    none.points[0].state = PointState::Refused(Reason::DutOpen);
     // A DCC cannot be without the country of the laboratory.
     let bare: Particulars = toml::from_str("[laboratory]\ncountry = 'DE'").expect("TOML");
     let of = Certificate::from_record;

@@ -3,7 +3,7 @@
 use super::python::python;
 use super::tests_dcc::FULL;
 use super::{Format, Options, Particulars, Prepared, Standard, StandardPoint, prepare};
-use calib_core::verdict::{Reason, Verdict};
+use calib_core::point_state::{PointState, Reason};
 use calib_protocol::record::Record;
 use calib_record::sample::{record, text};
 use std::collections::HashMap;
@@ -13,7 +13,7 @@ use std::ffi::OsStr;
 /// a device that is warm, a reference that was overdue, settings of an emulated instrument.
 fn talkative() -> Record {
     let mut record = record(&[80.0, 160.0, 1000.0, 5000.0, 16_000.0]);
-    record.points[2].verdict = Verdict::Refused(Reason::NotSettled);
+    record.points[2].state = PointState::Refused(Reason::NotSettled);
     record.head.labels.temperature_centi_c = Some(3150);
     record.settings.reference.due_day = 20_400; // the run is of day 20 413
     record.head.instrument_serial = text("23004100075457494E303120");

@@ -1,7 +1,7 @@
 //! Words and numbers of a language, from the one message file.
 
 use calib_core::budget::Table;
-use calib_core::verdict::Reason;
+use calib_core::point_state::Reason;
 use calib_output::number::fixed;
 use serde::Deserialize;
 use std::collections::BTreeMap;

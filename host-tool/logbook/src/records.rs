@@ -6,8 +6,8 @@ use super::journal::{self, Subject};
 use super::keys::place;
 use calib_certificate::{Certificate, Particulars, SensorKind};
 use calib_core::point::PointResult;
+use calib_core::point_state::PointState;
 use calib_core::settings::Settings;
-use calib_core::verdict::Verdict;
 use calib_files::{Error, Result};
 use calib_protocol::change::{self, ReferenceChange};
 use calib_protocol::record::{self, Record, RecordError, RecordHead, RecordKind, Sha256Sum};
@@ -415,7 +415,9 @@ fn insert_line(
     };
     let reference = certificate.as_ref().and_then(Certificate::reference_result);
     let (head, points) = (content.head(), content.points());
-    let refused = points.iter().filter(|point| point.verdict != Verdict::Pass);
+    let refused = points
+        .iter()
+        .filter(|point| point.state != PointState::Valid);
     transaction
         .prepare_cached(
             "INSERT INTO records (sha256, instrument, number, unix_time_s, sensor_serial,
@@ -454,7 +456,7 @@ fn insert_point(
 ) -> rusqlite::Result<()> {
     let number = |value: f32| {
         let value = f64::from(value);
-        (point.verdict == Verdict::Pass && value.is_finite()).then_some(value)
+        (point.state == PointState::Valid && value.is_finite()).then_some(value)
     };
     transaction
         .prepare_cached("INSERT INTO points VALUES (?1,?2,?3,?4,?5,?6,?7,?8,?9,?10)")?
@@ -463,7 +465,7 @@ fn insert_point(
             position,
             f64::from(point.spec.frequency_hz),
             f64::from(point.spec.acceleration_rms_ms2),
-            point.verdict.to_string(),
+            point.state.to_string(),
             number(point.sensitivity_v_per_ms2),
             number(point.expanded_uncertainty_rel),
             number(point.coverage_factor),

@@ -15,8 +15,8 @@ use calib_core::budget::{
 };
 use calib_core::channel_ratio::{ChannelRatio, ChannelRatioPoint, MAX_CHANNEL_RATIO_POINTS};
 use calib_core::point::PointResult;
+use calib_core::point_state::PointState;
 use calib_core::settings::Distribution;
-use calib_core::verdict::Verdict;
 use calib_protocol::record::Record;
 use num_complex::Complex32;
 use schemars::JsonSchema;
@@ -182,7 +182,7 @@ fn check_runs(straight: &Record, exchanged: &Record) -> Result<(), RatioError> {
 fn channels_and_leads(record: &Record, point: &PointResult) -> Result<Complex32, RatioError> {
     let frequency_hz = point.spec.frequency_hz;
     let reference = record.settings.reference.at(frequency_hz);
-    let (Verdict::Pass, Some(reference)) = (point.verdict, reference) else {
+    let (PointState::Valid, Some(reference)) = (point.state, reference) else {
         let record = record.head.id;
         return Err(RatioError::Refused {
             frequency_hz,
@@ -278,7 +278,7 @@ mod tests {
         let mut record = calib_record::sample::record(&[160.0]);
         record.head.id = id;
         let point = &mut record.points[0];
-        point.verdict = Verdict::Pass;
+        point.state = PointState::Valid;
         let reference = record.settings.reference.at(point.spec.frequency_hz);
         let reference = reference.expect("in the table");
         point.sensitivity_v_per_ms2 = reference.sensitivity_v_per_ms2 * 1.004 * (1.0 + leads_rel);
@@ -335,7 +335,7 @@ mod tests {
         other.settings.blocks += 1;
         assert!(told(&run(1, 0.0), &other).contains("settings changed"));
         let mut refused = run(2, 0.0);
-        refused.points[0].verdict = Verdict::Refused(calib_core::verdict::Reason::Clipped);
+        refused.points[0].state = PointState::Refused(calib_core::point_state::Reason::Clipped);
         assert!(told(&run(1, 0.0), &refused).contains("of record 2 was refused"));
         let mut fewer = run(2, 0.0);
         fewer.points.clear();

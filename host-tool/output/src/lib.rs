@@ -20,7 +20,7 @@ pub mod point;
 pub mod self_test;
 
 pub use instrument::{ChangeView, ImageView, InfoView, RecordView, StatusView};
-pub use point::{PointState, PointView, SetPoint};
+pub use point::{PointView, SetPoint, StateView};
 pub use self_test::{LineView, SelfTestView};
 
 use std::fmt::{Debug, Write};
@@ -54,7 +54,7 @@ pub fn unix_time_s(stored: u64) -> Option<u64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use calib_core::verdict::Reason;
+    use calib_core::point_state::Reason;
 
     #[test]
     fn sums_have_64_digits_and_codes_are_snake_case() {

@@ -3,26 +3,27 @@
 use crate::code;
 use crate::number::degrees;
 use calib_core::point::{PointResult, PointSpec};
-use calib_core::verdict::Verdict;
+use calib_core::point_state::PointState;
 use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Whether the results of a point may be used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
-pub enum PointState {
+#[schemars(rename = "PointState")]
+pub enum StateView {
     /// Every check passed: results and uncertainty hold.
     Valid,
     /// There is no result; `reason` says why.
     Refused,
 }
 
-impl PointState {
+impl StateView {
     /// State, and the code of the reason for a refusal.
-    pub fn of(verdict: Verdict) -> (Self, Option<String>) {
-        match verdict {
-            Verdict::Pass => (Self::Valid, None),
-            Verdict::Refused(reason) => (Self::Refused, Some(code(&reason))),
+    pub fn of(state: PointState) -> (Self, Option<String>) {
+        match state {
+            PointState::Valid => (Self::Valid, None),
+            PointState::Refused(reason) => (Self::Refused, Some(code(&reason))),
         }
     }
 }
@@ -66,7 +67,7 @@ pub struct PointView {
     /// Acceleration reached, m/s2 r.m.s.
     pub acceleration_rms_ms2: f32,
     /// Whether there are results.
-    pub state: PointState,
+    pub state: StateView,
     /// Code of the reason for a refusal, in snake case.
     pub reason: Option<String>,
     /// Magnitude of the sensitivity, V/(m/s2).
@@ -121,7 +122,7 @@ pub struct PointView {
 impl PointView {
     /// A point measured with this many samples per second.
     pub fn new(point: &PointResult, sample_rate_hz: f32) -> Self {
-        let (state, reason) = PointState::of(point.verdict);
+        let (state, reason) = StateView::of(point.state);
         let result = |value: f32| finite(value).filter(|_| reason.is_none());
         Self {
             set: SetPoint::from(&point.spec),
@@ -160,7 +161,7 @@ impl PointView {
 
     /// Takes the results back, for a reason that the instrument did not see.
     pub fn refuse(&mut self, reason: &str) {
-        self.state = PointState::Refused;
+        self.state = StateView::Refused;
         self.reason = Some(reason.to_owned());
         for result in [
             &mut self.sensitivity_v_per_ms2,
@@ -175,7 +176,7 @@ impl PointView {
 
     /// True when the results may be used.
     pub fn is_valid(&self) -> bool {
-        self.state == PointState::Valid
+        self.state == StateView::Valid
     }
 }
 
@@ -193,8 +194,8 @@ fn actual_frequency_hz(point: &PointResult, sample_rate_hz: f32) -> Option<f64> 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use calib_core::point_state::Reason;
     use calib_core::tone::Tone;
-    use calib_core::verdict::Reason;
 
     fn point() -> PointResult {
         let spec = PointSpec {
@@ -206,7 +207,7 @@ mod tests {
             period_samples: 625,
         };
         PointResult {
-            verdict: Verdict::Pass,
+            state: PointState::Valid,
             sensitivity_v_per_ms2: 0.010_018,
             phase_rad: -0.5,
             effective_degrees_of_freedom: f32::INFINITY,
@@ -233,7 +234,7 @@ mod tests {
     #[test]
     fn a_refused_point_has_a_reason_and_no_result() {
         let refused = PointResult {
-            verdict: Verdict::Refused(Reason::DutOpen),
+            state: PointState::Refused(Reason::DutOpen),
             tone: Tone {
                 cycles: 0,
                 period_samples: 1,

@@ -7,12 +7,12 @@
 
 use calib_core::channel_ratio::ChannelRatio;
 use calib_core::point::{PointResult, PointSpec};
+use calib_core::point_state::{PointState, Reason};
 use calib_core::settings::{
     Distribution, Example, Influence, InputScale, Limits, Method, PointInfluences,
     ReferenceCalibration, ReferencePoint, Settings,
 };
 use calib_core::tone::Tone;
-use calib_core::verdict::{Reason, Verdict};
 use calib_protocol::frame::CRC;
 use calib_protocol::record::{self, Record, RecordHead, RunLabels};
 use calib_protocol::signature::{self, Message, SIGNATURE_BYTES, Signature};
@@ -195,7 +195,7 @@ pub fn point(frequency_hz: f32) -> PointResult {
         acceleration_rms_ms2: 10.0,
     };
     PointResult {
-        verdict: Verdict::Pass,
+        state: PointState::Valid,
         acceleration_rms_ms2: 10.003,
         sensitivity_v_per_ms2: sensitivity as f32,
         phase_rad: phase as f32,

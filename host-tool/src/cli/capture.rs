@@ -4,11 +4,11 @@ use super::measure::stop_on_interrupt;
 use super::number::positive;
 use super::{Context, time};
 use calib_core::point::PointSpec;
-use calib_core::verdict::Verdict;
+use calib_core::point_state::PointState;
 use calib_host::{Error, Result, terminal};
 use calib_link::Client;
 use calib_link::capture::{self, Capture, Inputs, Measured, Report};
-use calib_output::PointState;
+use calib_output::StateView;
 use calib_protocol::capture::MAX_CAPTURE_PAIRS;
 use calib_protocol::record::RunLabels;
 use clap::Args;
@@ -62,7 +62,7 @@ pub(super) struct Output<'a> {
     /// Number of the record of the point that was played for it.
     record_id: Option<u32>,
     /// How the point ended; none when none was played.
-    state: Option<PointState>,
+    state: Option<StateView>,
     /// Code of the reason for a refusal, in snake case.
     reason: Option<String>,
     #[serde(flatten)]
@@ -75,7 +75,7 @@ struct Captured {
     /// Exact frequency of the tone, if one is known.
     frequency_hz: Option<f64>,
     record_id: Option<u32>,
-    verdict: Option<Verdict>,
+    point_state: Option<PointState>,
 }
 
 impl CaptureVerb {
@@ -90,14 +90,16 @@ impl CaptureVerb {
             _ => self.as_it_is(&mut client, &inputs)?,
         };
         let Captured {
-            capture, verdict, ..
+            capture,
+            point_state,
+            ..
         } = captured;
         let report = Report::new(&capture, captured.frequency_hz)
             .map_err(|error| usage(&error.to_string(), "choose --frequency and --pairs to suit"))?;
         if let Some(path) = &self.csv {
             capture::write_csv(&capture, path)?;
         }
-        let (state, reason) = verdict.map(PointState::of).unzip();
+        let (state, reason) = point_state.map(StateView::of).unzip();
         let output = Output {
             record_id: captured.record_id,
             state,
@@ -107,8 +109,8 @@ impl CaptureVerb {
         context.print(&output, || {
             terminal::show_capture(&capture, &report, COLUMNS)
         })?;
-        match verdict {
-            Some(Verdict::Refused(reason)) => {
+        match point_state {
+            Some(PointState::Refused(reason)) => {
                 Err(Error::NotPassed(format!("the point was refused: {reason}")))
             }
             _ => Ok(()),
@@ -135,13 +137,13 @@ impl CaptureVerb {
         let flow = stop_on_interrupt(context);
         let stop = || flow().is_break();
         let measured = capture::measure(client, inputs, point, pairs, labels, stop)?;
-        let verdict = measured.point.map(|point| point.verdict);
+        let point_state = measured.point.map(|point| point.state);
         let capture = measured.capture.clone();
         Ok(Captured {
             capture: capture.ok_or_else(|| not_held(&measured))?,
             frequency_hz: Some(measured.frequency_hz),
             record_id: Some(measured.record_id),
-            verdict,
+            point_state,
         })
     }
 
@@ -155,7 +157,7 @@ impl CaptureVerb {
             capture: inputs.capture(client, pairs)?,
             frequency_hz,
             record_id: None,
-            verdict: None,
+            point_state: None,
         })
     }
 
@@ -171,9 +173,9 @@ fn usage(problem: &str, hint: &str) -> Error {
 
 /// Why there is no capture of a point.
 fn not_held(measured: &Measured) -> Error {
-    let why = match measured.point.map(|point| point.verdict) {
-        Some(Verdict::Refused(reason)) => reason.to_string(),
-        Some(Verdict::Pass) => "the measurement was shorter than the capture".to_owned(),
+    let why = match measured.point.map(|point| point.state) {
+        Some(PointState::Refused(reason)) => reason.to_string(),
+        Some(PointState::Valid) => "the measurement was shorter than the capture".to_owned(),
         None => "the run was stopped; the exciter is silent".to_owned(),
     };
     Error::NotPassed(format!("nothing captured: {why}"))

@@ -3,7 +3,7 @@
 use super::again::Followed;
 use super::{Context, alarm, progress::RunProgress};
 use calib_core::point::{ExcitationKind, PointSpec};
-use calib_core::verdict::Verdict;
+use calib_core::point_state::PointState;
 use calib_host::in_unit::Stating;
 use calib_host::refusals;
 use calib_host::{Error, Result};
@@ -153,7 +153,7 @@ pub(super) fn judge(outcome: &Outcome, wanted: usize) -> Result<()> {
     let refused = outcome
         .points
         .iter()
-        .filter(|point| point.verdict != Verdict::Pass)
+        .filter(|point| point.state != PointState::Valid)
         .count();
     match outcome.state {
         RunState::Failed => Err(Error::NotPassed(

@@ -2,7 +2,7 @@
 
 use calib_certificate::SensitivityUnit;
 use calib_core::point::PointResult;
-use calib_core::verdict::Verdict;
+use calib_core::point_state::PointState;
 use calib_host::in_unit::StatedPoint;
 
 /// One line about a measured point, its sensitivity in this unit.
@@ -12,8 +12,8 @@ pub(crate) fn point_line(
     unit: SensitivityUnit,
 ) -> String {
     let frequency_hz = point.spec.frequency_hz;
-    match (point.verdict, stated.in_unit) {
-        (Verdict::Pass, Some(own)) => format!(
+    match (point.state, stated.in_unit) {
+        (PointState::Valid, Some(own)) => format!(
             "{frequency_hz:>7} Hz  {:>9} {}  {:+8.3} deg  U = {:.2} %{}{}",
             sensitivity(own.sensitivity),
             unit.name(),
@@ -27,8 +27,8 @@ pub(crate) fn point_line(
             coherence(point),
             if own.inverted { "  inverted" } else { "" },
         ),
-        (Verdict::Pass, None) => format!("{frequency_hz:>7} Hz  no tone"),
-        (Verdict::Refused(reason), _) => {
+        (PointState::Valid, None) => format!("{frequency_hz:>7} Hz  no tone"),
+        (PointState::Refused(reason), _) => {
             format!(
                 "{frequency_hz:>7} Hz  refused: {reason}{}",
                 coherence(point)

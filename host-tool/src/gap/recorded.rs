@@ -15,8 +15,8 @@
 use super::known::Known;
 use super::waveforms::Waveforms;
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
+use calib_core::point_state::{PointState, Reason};
 use calib_core::thermometer::SELF_HEATING_K;
-use calib_core::verdict::{Reason, Verdict};
 use calib_link::Client;
 use calib_link::session::{self, Progress};
 use calib_link::{Error, Result};
@@ -212,9 +212,9 @@ impl Pass<'_> {
 }
 
 fn refusal(point: &PointResult) -> Option<Reason> {
-    match point.verdict {
-        Verdict::Pass => None,
-        Verdict::Refused(reason) => Some(reason),
+    match point.state {
+        PointState::Valid => None,
+        PointState::Refused(reason) => Some(reason),
     }
 }
 

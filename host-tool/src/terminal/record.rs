@@ -132,7 +132,7 @@ fn is(point: &Point, measured: &PointResult) -> bool {
 fn verdict(certificate: &Certificate, point: &Point, measured: Option<&PointResult>) -> String {
     match certificate.conformity_of(point) {
         Stated::NotSpecified | Stated::NotJudgeable if point.outcome.is_err() => {
-            measured.map_or_else(String::new, |m| m.verdict.to_string())
+            measured.map_or_else(String::new, |m| m.state.to_string())
         }
         Stated::NotSpecified => "valid".to_owned(),
         judged => code(&judged).replace('_', " "),
@@ -188,14 +188,14 @@ fn phase_deg(values: &PointValues) -> f64 {
 mod tests {
     use super::*;
     use calib_certificate::{Known, Particulars};
-    use calib_core::verdict::{Reason, Verdict};
+    use calib_core::point_state::{PointState, Reason};
     use calib_record::sample;
 
     /// A phone held upright, with the longest words there are.
     #[test]
     fn a_record_fits_forty_columns_and_eighty() {
         let mut record = sample::record(&[80.0, 160.0, 10_000.0]);
-        record.points[2].verdict = Verdict::Refused(Reason::ChannelsNotAligned);
+        record.points[2].state = PointState::Refused(Reason::ChannelsNotAligned);
         let known = Known {
             kind: Some("mV/(mm/s)".parse().expect("a kind")),
             nominal: Some("4 mV/(mm/s)".parse().expect("a sensitivity")),

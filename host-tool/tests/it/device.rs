@@ -2,6 +2,7 @@
 
 use calib_core::channel_ratio::ChannelRatio;
 use calib_core::point::PointResult;
+use calib_core::point_state::{PointState, Reason};
 use calib_core::self_test::{Check, Line, MAX_LINES};
 use calib_core::settings::{
     Example, InputScale, Limits, Method, PointInfluences, ReferenceCalibration, ReferencePoint,
@@ -9,7 +10,6 @@ use calib_core::settings::{
 };
 use calib_core::stored_list::{NoPlace, StoredLists};
 use calib_core::tone::Tone;
-use calib_core::verdict::{Reason, Verdict};
 use calib_protocol::capture::{CAPTURE_CHUNK_PAIRS, CapturePart, MAX_CAPTURE_PAIRS};
 use calib_protocol::frame::{Frame, FrameError, MAX_FRAME, PROTOCOL_VERSION, Receiver, encode};
 use calib_protocol::health::Health;
@@ -447,7 +447,7 @@ pub(crate) fn result(frequency_hz: f32, acceleration_rms_ms2: f32) -> PointResul
         period_samples: 100,
     };
     as_stored(&PointResult {
-        verdict: Verdict::Pass,
+        state: PointState::Valid,
         acceleration_rms_ms2,
         sensitivity_v_per_ms2: 0.01,
         phase_rad: 0.1,

@@ -1,7 +1,7 @@
 //! What a record or a device says forges no line anywhere, and no number that is none passes for a result.
 
 use crate::tool;
-use calib_core::verdict::Verdict;
+use calib_core::point_state::PointState;
 use calib_protocol::record::Record;
 use calib_record::sample::{bytes, record, text};
 use std::path::{Path, PathBuf};
@@ -82,12 +82,12 @@ fn no_text_of_a_record_forges_a_line_in_terminal_certificate_or_csv() {
 fn a_point_that_passed_without_numbers_is_refused_everywhere() {
     let folder = tempfile::tempdir().expect("folder");
     let mut record = record(&[80.0, 160.0]);
-    assert_eq!(record.points[1].verdict, Verdict::Pass);
+    assert_eq!(record.points[1].state, PointState::Valid);
     record.points[1].sensitivity_v_per_ms2 = f32::NAN;
     let path = stored(folder.path(), &record);
     let bytes = std::fs::read(&path).expect("read");
     let read = calib_protocol::record::decode(&bytes).expect("a record");
-    assert!(matches!(read.points[1].verdict, Verdict::Refused(_)));
+    assert!(matches!(read.points[1].state, PointState::Refused(_)));
     let json = said(folder.path(), &["show", "record.calibrec", "--json"]);
     let shown: serde_json::Value = serde_json::from_str(&json).expect("JSON");
     let points = shown["points"].as_array().expect("points").iter();

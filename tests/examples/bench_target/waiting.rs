@@ -1,7 +1,7 @@
 //! A core that waits for its flash: every deadline with one and with three cycles for an instruction.
 
 use crate::row::Row;
-use calib_core::verdict::Verdict;
+use calib_core::point_state::PointState;
 use calib_link::session;
 use calib_protocol::health::{Deadline, Work};
 use calib_tests::bench::{Bench, Fault};
@@ -56,6 +56,6 @@ fn course(cycles: u64) -> Result<Course, Fault> {
         deadlines: health.deadlines.to_vec(),
         overruns: bench.client.status()?.overruns,
         mutes: bench.late_lines(&firmware).len(),
-        refused: refused.filter(|p| p.verdict != Verdict::Pass).count(),
+        refused: refused.filter(|p| p.state != PointState::Valid).count(),
     })
 }

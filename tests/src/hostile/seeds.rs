@@ -2,9 +2,9 @@
 
 use super::frames::{Whole, framed};
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
+use calib_core::point_state::Reason;
 use calib_core::settings::Settings;
 use calib_core::stored_list::{Band, Base, ListTerms, Rule, StoredList};
-use calib_core::verdict::Reason;
 use calib_protocol::capture::CapturePart;
 use calib_protocol::lists::{KeptList, ListChange};
 use calib_protocol::message::{Refusal, Request, Response, RunSpec};

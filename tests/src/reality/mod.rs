@@ -26,8 +26,8 @@ use crate::turns;
 use calib_certificate::model::{Point, PointValues, Remark, Value};
 use calib_certificate::{Certificate, Particulars};
 use calib_core::point::PointResult;
+use calib_core::point_state::PointState;
 use calib_core::settings::Settings;
-use calib_core::verdict::Verdict;
 use calib_link::session;
 use calib_protocol::record::{self, Record, RunLabels};
 use calib_twin::Complex;
@@ -141,7 +141,7 @@ impl Both {
     /// How far the two are apart over U, magnitude and phase; none unless both passed.
     pub fn apart(&self) -> Option<[f64; 2]> {
         let [firmware, core] = [&self.firmware, &self.core];
-        let passed = firmware.verdict == Verdict::Pass && core.verdict == Verdict::Pass;
+        let passed = firmware.state == PointState::Valid && core.state == PointState::Valid;
         let found = [core.sensitivity_v_per_ms2, core.phase_rad].map(f64::from);
         let apart = from_truth(firmware, Complex::from_polar(found[0], found[1]));
         passed.then_some([
@@ -242,9 +242,9 @@ fn by_core(draw: &Draw, transverse_motion_rel: [f64; 2]) -> Record {
 /// Counts what came of a run.
 fn judge(draw: &Draw, record: &Record, seed: u64) -> Stratum {
     let mut counts = Stratum::default();
-    let refused = record.points.iter().filter_map(|p| match p.verdict {
-        Verdict::Refused(reason) => Some(reason.to_string()),
-        Verdict::Pass => None,
+    let refused = record.points.iter().filter_map(|p| match p.state {
+        PointState::Refused(reason) => Some(reason.to_string()),
+        PointState::Valid => None,
     });
     refused.for_each(|reason| *counts.reasons.entry(reason).or_default() += 1);
     let mut particulars = Particulars::default();

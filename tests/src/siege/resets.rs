@@ -4,7 +4,7 @@ use super::fire::frame;
 use super::{End, Siege, Toll};
 use crate::bench::Fault;
 use calib_core::point::PointSpec;
-use calib_core::verdict::Verdict;
+use calib_core::point_state::PointState;
 use calib_host::emulated::EmulatedUsbTransport;
 use calib_link::Client;
 use calib_protocol::message::Request;
@@ -172,7 +172,7 @@ impl Siege {
     fn expect_pass(&mut self) -> Result<(), Fault> {
         for index in 0..self.points.len() {
             let point = self.bench.client.point(index as u16)?;
-            if point.as_ref().map(|point| point.verdict) != Some(Verdict::Pass) {
+            if point.as_ref().map(|point| point.state) != Some(PointState::Valid) {
                 return Err(format!("point {index}: {point:?}").into());
             }
         }

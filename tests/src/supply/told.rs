@@ -2,8 +2,8 @@
 
 use crate::bench::{Fault, point};
 use calib_core::point::PointResult;
+use calib_core::point_state::PointState;
 use calib_core::settings::Settings;
-use calib_core::verdict::Verdict;
 use calib_files::file::Existing;
 use calib_link::Client;
 use calib_link::session::{self, Outcome};
@@ -169,7 +169,7 @@ impl Told {
         let outcome = session::run(client, &list, RunLabels::default(), |_| {
             ControlFlow::Continue(())
         })?;
-        let passed = |result: &PointResult| result.verdict == Verdict::Pass;
+        let passed = |result: &PointResult| result.state == PointState::Valid;
         if outcome.state != RunState::Finished || !outcome.points.iter().all(passed) {
             return Err(format!("a run ends {:?}: {:?}", outcome.state, outcome.points).into());
         }

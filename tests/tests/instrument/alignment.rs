@@ -1,7 +1,7 @@
 //! Both channels of a pair are of one instant, or nothing is measured: a sample between them is
 //! 72 degrees at 10 kHz and leaves the magnitude alone.
 
-use calib_core::verdict::{Reason, Verdict};
+use calib_core::point_state::{PointState, Reason};
 use calib_protocol::message::{RunSpec, RunState};
 use calib_protocol::record::RunLabels;
 use calib_tests::bench::{Bench, Fault, point, true_certificate};
@@ -35,9 +35,9 @@ fn measures_the_phase(bench: &mut Bench, rig: &Rig) -> Result<(), Fault> {
             result.spec.frequency_hz,
             100.0 * off.magnitude_rel,
             off.phase_rad.to_degrees(),
-            result.verdict
+            result.state
         );
-        assert_eq!(result.verdict, Verdict::Pass);
+        assert_eq!(result.state, PointState::Valid);
         assert!(off.phase_rad.abs() <= f64::from(result.expanded_uncertainty_phase_rad));
     }
     Ok(())
@@ -84,8 +84,11 @@ fn a_run_in_which_the_alignment_is_lost_ends_with_that_verdict() -> Result<(), F
         .fail(PartFault::StartsShifted { starts: u32::MAX })?;
     bench.board().fail(PartFault::AdcOverrun)?;
     bench.client.wait(Duration::from_secs(1))?;
-    let verdict = bench.client.point(0)?.map(|result| result.verdict);
-    assert_eq!(verdict, Some(Verdict::Refused(Reason::ChannelsNotAligned)));
+    let verdict = bench.client.point(0)?.map(|result| result.state);
+    assert_eq!(
+        verdict,
+        Some(PointState::Refused(Reason::ChannelsNotAligned))
+    );
     bench.expect_silence(Duration::from_millis(200))?;
     assert!(bench.client.start(run_of_one()).is_err());
     Ok(())

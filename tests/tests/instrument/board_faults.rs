@@ -3,7 +3,7 @@
 //! `scenarios/board`.
 
 use calib_core::point::ExcitationKind;
-use calib_core::verdict::Verdict;
+use calib_core::point_state::PointState;
 use calib_protocol::message::{ResetCause, RunSpec, RunState};
 use calib_protocol::record::{self, Record, RunLabels};
 use calib_tests::bench::{Bench, Fault, point};
@@ -189,8 +189,8 @@ fn sink(board: &mut Emulator, to_mv: u32, mv_per_ms: u32) -> Result<(), Fault> {
 /// The point was refused, and the instrument goes on.
 fn goes_on(bench: &mut Bench, scenario: &Scenario, records: usize) -> Result<(), Fault> {
     let status = bench.client.status()?;
-    let verdict = match bench.client.point(0)?.map(|result| result.verdict) {
-        Some(Verdict::Refused(reason)) => format!("{reason:?}"),
+    let verdict = match bench.client.point(0)?.map(|result| result.state) {
+        Some(PointState::Refused(reason)) => format!("{reason:?}"),
         other => format!("{other:?}"),
     };
     let lost = verdict == "Overrun";
@@ -221,7 +221,7 @@ fn stuck(bench: &mut Bench, records: usize) -> Result<(), Fault> {
 /// A run of one point that passes, and its record.
 fn next_record(bench: &mut Bench) -> Result<Record, Fault> {
     let outcome = bench.run(&[point(160.0, 10.0)])?;
-    if outcome.points.first().map(|point| point.verdict) != Some(Verdict::Pass) {
+    if outcome.points.first().map(|point| point.state) != Some(PointState::Valid) {
         return Err("the next run does not pass".into());
     }
     Ok(record::decode(&bench.record(outcome.record_id)?)?)

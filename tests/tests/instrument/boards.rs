@@ -4,7 +4,7 @@
 use super::board::unmodelled;
 use calib_boot::layout::{LONGEST_IMAGE, Slot, WORD};
 use calib_boot::trusted::DEVELOPMENT_SEED;
-use calib_core::verdict::Verdict;
+use calib_core::point_state::PointState;
 use calib_link::session::update::send;
 use calib_protocol::message::{Refusal, RunState};
 use calib_protocol::record::digest;
@@ -88,7 +88,7 @@ fn every_board_calibrates_with_its_own_pins_clocks_and_scales() -> Result<(), Fa
                 "{board}: {} Hz, {off:+.1e}, U {budget:.1e}",
                 result.spec.frequency_hz
             );
-            assert_eq!(result.verdict, Verdict::Pass, "{board}");
+            assert_eq!(result.state, PointState::Valid, "{board}");
             assert!(off.abs() <= f64::from(budget), "{board}: {off}");
         }
         bench.expect_silence(SEEN)?;

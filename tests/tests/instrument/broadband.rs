@@ -1,7 +1,7 @@
 //! The shipping firmware measures many frequencies at once (4.4, Note 1).
 
 use calib_core::point::ExcitationKind;
-use calib_core::verdict::{Reason, Verdict};
+use calib_core::point_state::{PointState, Reason};
 use calib_link::session::{self, Outcome};
 use calib_protocol::message::RunState;
 use calib_protocol::record::RunLabels;
@@ -37,7 +37,7 @@ fn a_multisine_finds_an_inverted_device_and_refuses_a_noisy_one() -> Result<(), 
     let mut bench = Bench::with_rig(&rig)?;
     bench.certify_reference(&true_certificate(&rig))?;
     for result in multisine(&mut bench)?.points {
-        assert_eq!(result.verdict, Verdict::Pass, "{result:?}");
+        assert_eq!(result.state, PointState::Valid, "{result:?}");
         assert!(result.coherence.is_some_and(|coherence| coherence > 0.99));
         // Annex B: inverted, and not 180 degrees of phase shift.
         assert!(result.inverted && result.phase_rad.abs() < 0.2);
@@ -57,7 +57,7 @@ fn a_multisine_finds_an_inverted_device_and_refuses_a_noisy_one() -> Result<(), 
     rig.dut.noise_rms_v = 0.1;
     bench.mount(&rig);
     for result in multisine(&mut bench)?.points {
-        assert_eq!(result.verdict, Verdict::Refused(Reason::LowCoherence));
+        assert_eq!(result.state, PointState::Refused(Reason::LowCoherence));
         assert!(result.coherence.is_some_and(|coherence| coherence < 0.98));
     }
     Ok(())

@@ -1,7 +1,7 @@
 //! Never silent for good: whatever of the part or of the program fails, links, lamps, button and
 //! stop are there within a second, with the reason; nothing is measured, what works works.
 
-use calib_core::verdict::Verdict;
+use calib_core::point_state::PointState;
 use calib_host::emulated::EmulatedUsbTransport;
 use calib_link::{Client, Error};
 use calib_protocol::health::{Defect, Defects, Health, Work};
@@ -121,7 +121,7 @@ fn expect_well(bench: &mut Bench) -> Result<(), Fault> {
     expect_all_well(bench)?;
     let outcome = bench.run(&[point(160.0, 10.0)])?;
     assert_eq!(outcome.state, RunState::Finished);
-    assert_eq!(outcome.points[0].verdict, Verdict::Pass);
+    assert_eq!(outcome.points[0].state, PointState::Valid);
     Ok(())
 }
 
@@ -327,8 +327,8 @@ fn a_core_that_waits_for_its_flash_meets_every_deadline() -> Result<(), Fault> {
     assert!(late.is_empty(), "{late:?}");
     for result in &outcome.points {
         assert_eq!(
-            result.verdict,
-            Verdict::Pass,
+            result.state,
+            PointState::Valid,
             "{} Hz",
             result.spec.frequency_hz
         );

@@ -1,7 +1,7 @@
 //! The shipping firmware calibrates an accelerometer.
 
+use calib_core::point_state::PointState;
 use calib_core::tone::Tone;
-use calib_core::verdict::Verdict;
 use calib_link::session;
 use calib_protocol::message::{ResetCause, RunState};
 use calib_tests::bench::{Bench, point, true_certificate};
@@ -54,12 +54,12 @@ fn every_default_point_is_reached_settled_and_right_on_a_quiet_rig() {
             off.phase_rad.to_degrees(),
             result.settling_s,
             100.0 * result.overshoot_rel,
-            result.verdict
+            result.state
         );
     }
     for result in &outcome.points {
         let frequency_hz = result.spec.frequency_hz;
-        assert_eq!(result.verdict, Verdict::Pass, "{frequency_hz} Hz");
+        assert_eq!(result.state, PointState::Valid, "{frequency_hz} Hz");
         let level_rel = result.acceleration_rms_ms2 / result.spec.acceleration_rms_ms2 - 1.0;
         assert!(
             level_rel.abs() <= 1.0e-3,
@@ -176,9 +176,9 @@ fn real_converters_keep_within_the_uncertainty_that_is_stated() {
                 100.0 * off.magnitude_rel,
                 100.0 * expanded_rel,
                 off.phase_rad.to_degrees(),
-                result.verdict
+                result.state
             );
-            assert_eq!(result.verdict, Verdict::Pass);
+            assert_eq!(result.state, PointState::Valid);
             assert!(off.magnitude_rel.abs() <= 0.0023, "{off:?}");
             assert!(expanded_rel < 0.025 && off.magnitude_rel.abs() <= expanded_rel);
             let expanded_rad = f64::from(result.expanded_uncertainty_phase_rad);

@@ -1,9 +1,9 @@
 //! A healthy rig is never refused: low levels, where the first probe, an offset
 //! or the ringing of the suspension is as large as what is wanted.
 
+use calib_core::point_state::PointState;
 use calib_core::points::default_points;
 use calib_core::settings::Settings;
-use calib_core::verdict::Verdict;
 use calib_tests::bench::point;
 use calib_tests::boardless;
 use calib_twin::rig::Rig;
@@ -37,8 +37,8 @@ fn no_healthy_rig_is_refused_at_low_levels() {
                 specs.len(),
                 "seed {seed}: a point never ends"
             );
-            let bad = results.iter().filter(|r| r.verdict != Verdict::Pass);
-            refused.extend(bad.map(|r| (seed, r.spec, r.verdict)));
+            let bad = results.iter().filter(|r| r.state != PointState::Valid);
+            refused.extend(bad.map(|r| (seed, r.spec, r.state)));
         }
     }
     assert!(refused.is_empty(), "{refused:#?}");

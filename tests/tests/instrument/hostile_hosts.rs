@@ -4,7 +4,7 @@
 //! bad byte, and changes nothing for a host that does not hold the session.
 
 use calib_core::point::ExcitationKind;
-use calib_core::verdict::Verdict;
+use calib_core::point_state::PointState;
 use calib_host::emulated::EmulatedUsbTransport;
 use calib_link::Client;
 use calib_protocol::frame::{Frame, MAX_FRAME, Receiver, SERIAL_BAUD};
@@ -82,7 +82,7 @@ fn a_run_under_fire_from_the_other_link_is_measured_like_any_other() -> Result<(
     assert_eq!(ended.state, RunState::Finished);
     assert_eq!(ended.overruns, 0, "no sample was lost");
     let result = bench.client.point(0)?.expect("measured");
-    assert_eq!(result.verdict, Verdict::Pass);
+    assert_eq!(result.state, PointState::Valid);
     assert_eq!(bench.client.settings()?, settings);
 
     // The start again, as it was: recognised, and nothing moves.

@@ -1,6 +1,6 @@
 //! Hum of the mains near a tone: taken out, stated, or refused, and never valid and wrong.
 
-use calib_core::verdict::{Reason, Verdict};
+use calib_core::point_state::{PointState, Reason};
 use calib_tests::bench::{Bench, Fault, point, true_certificate};
 use calib_tests::judge::deviation;
 use calib_twin::rig::Rig;
@@ -29,7 +29,7 @@ fn bench() -> Result<Bench, Fault> {
 
 /// A point on a rig with this hum in the device's channel.
 struct Outcome {
-    verdict: Verdict,
+    verdict: PointState,
     /// Error over U, magnitude and phase.
     error: [f64; 2],
     /// Expanded uncertainty of the magnitude, relative.
@@ -53,7 +53,7 @@ fn measure(
     let result = bench.run(&[point(hz, ms2)])?.points[0];
     let off = deviation(&result, &rig, RATE_HZ);
     let outcome = Outcome {
-        verdict: result.verdict,
+        verdict: result.state,
         error: [
             off.magnitude_rel.abs() / f64::from(result.expanded_uncertainty_rel),
             off.phase_rad.abs() / f64::from(result.expanded_uncertainty_phase_rad),
@@ -62,7 +62,7 @@ fn measure(
     };
     println!(
         "{hz} Hz, {ms2} m/s2, mains {mains_hz} Hz: {}; {:+.3} %, {:+.3} deg; U {:.3} %, hum {:.3} %",
-        result.verdict,
+        result.state,
         100.0 * off.magnitude_rel,
         off.phase_rad.to_degrees(),
         100.0 * outcome.expanded_rel,
@@ -85,7 +85,11 @@ fn hum_on_the_tone_is_refused_at_low_levels() -> Result<(), Fault> {
         (second, 50.0, 100.0),
     ] {
         let outcome = measure(&mut bench, hum, mains_hz, hz, 1.0)?;
-        assert_eq!(outcome.verdict, Verdict::Refused(Reason::Hum), "{mains_hz}");
+        assert_eq!(
+            outcome.verdict,
+            PointState::Refused(Reason::Hum),
+            "{mains_hz}"
+        );
     }
     Ok(())
 }
@@ -98,7 +102,7 @@ fn hum_on_the_tone_is_stated_at_usual_levels() -> Result<(), Fault> {
     let clean = measure(&mut bench, "", 50.0, 50.0, 10.0)?;
     for mains_hz in [50.0, 50.01, 49.98] {
         let outcome = measure(&mut bench, hum, mains_hz, 50.0, 10.0)?;
-        assert_eq!(outcome.verdict, Verdict::Pass);
+        assert_eq!(outcome.verdict, PointState::Valid);
         assert!(
             outcome.error.iter().all(|error| *error <= 1.0),
             "{:?}",
@@ -121,7 +125,7 @@ fn hum_beside_the_tone_is_taken_out() -> Result<(), Fault> {
         for (ms2, allowed_rel) in [(10.0, 5.0e-4), (1.0, 2.0e-3)] {
             let clean = measure(&mut bench, "", mains_hz, hz, ms2)?;
             let outcome = measure(&mut bench, hum, mains_hz, hz, ms2)?;
-            assert_eq!(outcome.verdict, Verdict::Pass, "{hz} Hz, {ms2} m/s2");
+            assert_eq!(outcome.verdict, PointState::Valid, "{hz} Hz, {ms2} m/s2");
             let by_hum = (outcome.expanded_rel.powi(2) - clean.expanded_rel.powi(2))
                 .max(0.0)
                 .sqrt();

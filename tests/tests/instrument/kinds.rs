@@ -3,7 +3,7 @@
 use calib_certificate::model::{Certificate, PointValues};
 use calib_certificate::{Particulars, complete};
 use calib_core::point::{ExcitationKind, PointSpec};
-use calib_core::verdict::Verdict;
+use calib_core::point_state::PointState;
 use calib_link::session;
 use calib_protocol::message::RunState;
 use calib_protocol::record::{self, Record, RunLabels};
@@ -107,7 +107,7 @@ fn what_a_stopped_run_never_tried_is_known_and_completes_it() -> Result<(), Faul
         whole
             .points
             .iter()
-            .any(|p| p.spec.frequency_hz == hz && p.verdict == Verdict::Pass)
+            .any(|p| p.spec.frequency_hz == hz && p.state == PointState::Valid)
     };
     assert!([160.0, 80.0, 1000.0].map(valid).iter().all(|valid| *valid));
     Ok(())

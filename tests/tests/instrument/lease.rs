@@ -3,7 +3,7 @@
 
 use calib_core::closing::Closing;
 use calib_core::point::ExcitationKind;
-use calib_core::verdict::{Reason, Verdict};
+use calib_core::point_state::{PointState, Reason};
 use calib_link::session::{self, Progress};
 use calib_protocol::message::{RunSpec, RunState};
 use calib_protocol::record::{self, RunLabels};
@@ -55,7 +55,7 @@ fn a_run_whose_hosts_are_silent_goes_on_unless_the_lease_says_otherwise() -> Res
     let status = bench.client.status()?;
     assert_eq!(status.state, RunState::Stopped);
     let last = bench.client.point(status.point)?.ok_or("no result")?;
-    assert_eq!(last.verdict, Verdict::Refused(Reason::HostsSilent));
+    assert_eq!(last.state, PointState::Refused(Reason::HostsSilent));
     Ok(())
 }
 

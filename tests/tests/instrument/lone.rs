@@ -2,8 +2,8 @@
 
 use calib_core::conformity::{Conformity, judge};
 use calib_core::point::PointSpec;
+use calib_core::point_state::Reason;
 use calib_core::stored_list::{Band, Base, ListTerms, Rule, StoredList};
-use calib_core::verdict::Reason;
 use calib_host::emulated::EmulatedTransport;
 use calib_link::{Client, Error};
 use calib_protocol::clock::ClockReading;

@@ -24,7 +24,7 @@ fn the_core_alone_finds_what_the_image_finds() -> Result<(), Fault> {
     let sizes = Sizes::read()?;
     for name in [CLEAN, "mains_pickup", "ambient_vibration", "adc_dead_zone"] {
         for both in reality::run_both(&sizes, name, 3, 1200)? {
-            assert_eq!(both.firmware.verdict, both.core.verdict, "{name} {both:?}");
+            assert_eq!(both.firmware.state, both.core.state, "{name} {both:?}");
             // Noise of each its own, of which U has a twentieth or more; hum beside its line at each its own phase.
             let most = if name == "mains_pickup" { 1.2 } else { 0.2 };
             let apart = both.apart().ok_or("a point was refused")?;

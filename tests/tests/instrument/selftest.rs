@@ -1,7 +1,7 @@
 //! The self-test passes on a sound board, moves no table, and names each defect.
 
+use calib_core::point_state::PointState;
 use calib_core::self_test::{Check, Line};
-use calib_core::verdict::Verdict;
 use calib_protocol::message::Refusal;
 use calib_tests::bench::{Bench, Fault, point};
 use calib_twin::board::{Flaw, Flawed, PartFault, RECORD_FLASH, SECTOR_BYTES};
@@ -75,7 +75,7 @@ fn levels_are_reached_wherever_the_rings_stand() -> Result<(), Fault> {
                 "{tests} {hz} Hz: {:.3} s, {:.4}",
                 result.settling_s, result.overshoot_rel
             );
-            assert_eq!(result.verdict, Verdict::Pass, "{tests}: {result:?}");
+            assert_eq!(result.state, PointState::Valid, "{tests}: {result:?}");
             assert!(result.overshoot_rel < 0.05, "{tests}: {result:?}");
             assert!(
                 (result.acceleration_rms_ms2 / 10.0 - 1.0).abs() < 1.0e-3,

@@ -63,7 +63,7 @@ fn a_host_without_a_hand_changes_nothing_that_shapes_a_number_or_a_limit() -> Re
             "{name}: S {:.4} mV/(m/s2), U {:.2} %, {}",
             1e3 * point.sensitivity_v_per_ms2,
             100.0 * point.expanded_uncertainty_rel,
-            point.verdict
+            point.state
         );
     }
     assert_eq!(taken, [""; 0], "taken without a hand");

@@ -1,7 +1,7 @@
 //! Faults that happen on site end in a named verdict, a silent exciter and a record, and never in a
 //! table that runs away. The scenarios are the files in `scenarios/site`.
 
-use calib_core::verdict::Verdict;
+use calib_core::point_state::PointState;
 use calib_link::Error;
 use calib_link::session::Outcome;
 use calib_protocol::message::RunState;
@@ -142,9 +142,9 @@ fn wrong_with_record(
     records: usize,
 ) -> Result<Vec<String>, Fault> {
     let result = outcome.points.first().ok_or("no result")?;
-    let verdict = match result.verdict {
-        Verdict::Pass => "Pass".to_owned(),
-        Verdict::Refused(reason) => format!("{reason:?}"),
+    let verdict = match result.state {
+        PointState::Valid => "Pass".to_owned(),
+        PointState::Refused(reason) => format!("{reason:?}"),
     };
     println!("{verdict:<20}");
     let mut failures = Vec::new();

@@ -1,7 +1,7 @@
 //! Every fault ends in a named verdict and a silent exciter.
 
 use calib_core::point::PointSpec;
-use calib_core::verdict::{Reason, Verdict};
+use calib_core::point_state::{PointState, Reason};
 use calib_protocol::message::RunState;
 use calib_protocol::record::{RecordKind, RecordSummary};
 use calib_tests::bench::{Bench, Fault, point};
@@ -14,7 +14,7 @@ fn expect(rig: &Rig, spec: PointSpec, reason: Reason) -> Result<(), Fault> {
     let outcome = bench.run(&[spec])?;
     assert_ne!(outcome.state, RunState::Failed);
     let result = outcome.points.first().ok_or("no result")?;
-    assert_eq!(result.verdict, Verdict::Refused(reason));
+    assert_eq!(result.state, PointState::Refused(reason));
     bench.expect_silence(Duration::from_millis(200))?;
     assert_eq!(bench.client.status()?.overruns, 0);
     // The refusal is stored like any other result.

@@ -1,7 +1,7 @@
 //! What the documents show is what happens.
 
 use super::tool;
-use calib_core::verdict::Reason;
+use calib_core::point_state::Reason;
 use calib_firmware::scpi::ScpiError;
 use calib_link::Refused;
 use calib_protocol::health::{Defect, Defects};

@@ -67,7 +67,7 @@ rigless::store!(Dac {
 
 /// Stage between the output register and the pin.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Stage {
+pub(super) struct OutputStage {
     on_pin: bool,
     /// It reaches the converters on the chip.
     on_chip: bool,
@@ -124,12 +124,12 @@ impl Dac {
     }
 
     /// Stage behind the output register.
-    pub(super) fn stage(&self, registers: &RegisterFile) -> Stage {
+    pub(super) fn stage(&self, registers: &RegisterFile) -> OutputStage {
         let enabled = cr::EN1.is_set(self.own(registers, Register::Cr));
         // Modes 0 to 2 reach the pin, 1 and 3 the converters on the chip; 2 and 3 are those without the
         // buffer; bit 2 selects sample and hold.
         let mode = mcr::MODE1.get(self.own(registers, Register::Mcr)) & 0b11;
-        Stage {
+        OutputStage {
             on_pin: enabled && mode != 0b11,
             on_chip: enabled && mode & 1 == 1,
             buffered: mode != 0b10,
@@ -226,7 +226,7 @@ impl Dac {
     }
 }
 
-impl Stage {
+impl OutputStage {
     /// The pins have been told whether there is a buffer.
     pub(super) fn is_set(self, pins: &Pins) -> bool {
         pins.buffers_drive() == self.buffered

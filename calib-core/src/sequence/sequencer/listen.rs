@@ -1,7 +1,7 @@
 //! The exciter at rest: listening, and the first drive.
 
 use super::listening::{Listening, block};
-use super::{Plan, Sequencer, Stage};
+use super::{Plan, Sequencer, State};
 use crate::correlation::block::MIN_FOLD_SAMPLES;
 use crate::correlation::{Block, PairEstimate};
 use crate::generator::Drive;
@@ -15,7 +15,7 @@ impl Sequencer<'_> {
 
     /// Nothing is wanted: listens anew.
     pub(super) fn rest(&mut self) {
-        self.stage = Stage::Idle;
+        self.state = State::Idle;
         self.listening.restart();
         self.correlator
             .start(block(self.sampling.sample_rate_hz), 0);
@@ -31,7 +31,7 @@ impl Sequencer<'_> {
             }
             self.correlator
                 .start(block(self.sampling.sample_rate_hz), 0);
-            if matches!(self.stage, Stage::Listening) && self.listening.is_full() {
+            if matches!(self.state, State::Listening) && self.listening.is_full() {
                 self.listening.understand();
                 self.begin_driving();
             }
@@ -54,7 +54,7 @@ impl Sequencer<'_> {
         let Some(plan) = self.plan else { return };
         let meanwhile = self.at_hand + self.sampling.rest_samples;
         let block = Block::within(plan.tone, meanwhile.max(MIN_FOLD_SAMPLES));
-        self.stage = Stage::Resting { driven: None };
+        self.state = State::Resting { driven: None };
         self.correlator
             .start(block.unwrap_or(Block::control(plan.tone)), self.index);
         self.drive_in_time();
@@ -65,12 +65,12 @@ impl Sequencer<'_> {
         let Some(plan) = self.plan else { return };
         let left = self.correlator.remaining();
         let in_time = left <= self.at_hand + self.sampling.rest_samples;
-        if in_time && matches!(self.stage, Stage::Resting { driven: None }) {
+        if in_time && matches!(self.state, State::Resting { driven: None }) {
             self.command = Command::Play(Drive {
                 tone: plan.tone,
                 peak_v: self.level.drive_peak_v(),
             });
-            self.stage = Stage::Resting {
+            self.state = State::Resting {
                 driven: Some(self.way_samples(plan.tone).saturating_sub(left)),
             };
             self.elapsed = 0;

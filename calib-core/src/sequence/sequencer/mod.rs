@@ -16,11 +16,11 @@ use crate::correlation::{
 use crate::generator::{Drive, ramp_samples};
 use crate::output::Command;
 use crate::point::{PointResult, PointSpec};
+use crate::point_state::{PointState, Reason};
 use crate::polarity::Polarity;
 use crate::reference::ReferenceSensitivity;
 use crate::settings::Settings;
 use crate::tone::Tone;
-use crate::verdict::{Reason, Verdict};
 use core::f32::consts::{FRAC_1_SQRT_2, SQRT_2, TAU};
 use gathered::Gathered;
 use listening::Listening;
@@ -135,7 +135,7 @@ struct Plan {
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Stage {
+enum State {
     /// Listening to the mains, as long as nothing is wanted.
     Idle,
     /// Listening to the mains before the exciter is driven.
@@ -165,7 +165,7 @@ pub struct Sequencer<'m> {
     polarity: Polarity,
     plan: Option<Plan>,
     level: LevelState,
-    stage: Stage,
+    state: State,
     command: Command,
     gathered: Gathered,
     listening: Listening,
@@ -203,7 +203,7 @@ impl<'m> Sequencer<'m> {
             polarity: Polarity::default(),
             plan: None,
             level: LevelState::silent(),
-            stage: Stage::Idle,
+            state: State::Idle,
             command: Command::Mute,
             gathered: Gathered::default(),
             listening: Listening::new(),
@@ -228,7 +228,7 @@ impl<'m> Sequencer<'m> {
         self.holds = holds;
         self.polarity = Polarity::default();
         self.bent = None;
-        if !matches!(self.stage, Stage::Idle) {
+        if !matches!(self.state, State::Idle) {
             self.rest();
         }
         self.command = Command::Mute;
@@ -252,7 +252,7 @@ impl<'m> Sequencer<'m> {
                 let bend = self.bent.and_then(|bent| bent.of(&spec));
                 self.level = plan.level_loop.start(bend);
                 if self.must_listen(&plan) {
-                    self.stage = Stage::Listening;
+                    self.state = State::Listening;
                 } else {
                     self.begin_driving();
                 }
@@ -261,7 +261,7 @@ impl<'m> Sequencer<'m> {
                 self.plan = None;
                 self.level = LevelState::silent();
                 let result = PointResult::refused(spec, tone, reason);
-                self.stage = Stage::Silencing { left: 0, result };
+                self.state = State::Silencing { left: 0, result };
             }
         }
     }
@@ -276,17 +276,17 @@ impl<'m> Sequencer<'m> {
         let mut rest = pairs;
         self.listening.pass(pairs.len());
         loop {
-            match self.stage {
-                Stage::Idle | Stage::Listening if rest.is_empty() => return None,
-                Stage::Idle | Stage::Listening => rest = self.listen(rest),
-                Stage::Silencing { left, result } => {
+            match self.state {
+                State::Idle | State::Listening if rest.is_empty() => return None,
+                State::Idle | State::Listening => rest = self.listen(rest),
+                State::Silencing { left, result } => {
                     let taken = left.min(rest.len() as u32);
                     if taken == left {
                         self.rest();
                         return Some(result);
                     }
                     let left = left - taken;
-                    self.stage = Stage::Silencing { left, result };
+                    self.state = State::Silencing { left, result };
                     return None;
                 }
                 _ if rest.is_empty() => {
@@ -301,10 +301,10 @@ impl<'m> Sequencer<'m> {
 
     /// Ends the point in work with this reason: lost samples, a stop.
     pub fn interrupt(&mut self, reason: Reason) {
-        if matches!(self.stage, Stage::Idle) {
+        if matches!(self.state, State::Idle) {
             self.rest();
         }
-        if !matches!(self.stage, Stage::Idle | Stage::Silencing { .. }) {
+        if !matches!(self.state, State::Idle | State::Silencing { .. }) {
             self.refuse(reason);
         }
     }
@@ -317,9 +317,9 @@ impl<'m> Sequencer<'m> {
 
     /// The last command is played so many samples later than [`Sampling::latency_samples`] says.
     pub fn postpone(&mut self, samples: u32) {
-        match &mut self.stage {
-            Stage::Waiting => self.late += samples,
-            Stage::Resting { driven: Some(left) } | Stage::Silencing { left, .. } => {
+        match &mut self.state {
+            State::Waiting => self.late += samples,
+            State::Resting { driven: Some(left) } | State::Silencing { left, .. } => {
                 *left += samples;
             }
             _ => {}
@@ -334,13 +334,13 @@ impl<'m> Sequencer<'m> {
     /// Where the point stands.
     pub fn progress(&self) -> Progress {
         Progress {
-            activity: match self.stage {
-                Stage::Idle => Activity::Idle,
-                Stage::Listening | Stage::Resting { .. } | Stage::Waiting | Stage::Settling => {
+            activity: match self.state {
+                State::Idle => Activity::Idle,
+                State::Listening | State::Resting { .. } | State::Waiting | State::Settling => {
                     Activity::Settling
                 }
-                Stage::Measuring => Activity::Measuring,
-                Stage::Silencing { .. } => Activity::Silencing,
+                State::Measuring => Activity::Measuring,
+                State::Silencing { .. } => Activity::Silencing,
             },
             block: self.gathered.count(),
             blocks: self.settings.blocks,
@@ -429,7 +429,7 @@ impl<'m> Sequencer<'m> {
 
     fn block_ended(&mut self) {
         let Some(plan) = self.plan else { return };
-        if matches!(self.stage, Stage::Waiting) {
+        if matches!(self.state, State::Waiting) {
             // What was waited for tells nothing, and evaluating it takes time.
             if self.late > 0 {
                 let late = core::mem::take(&mut self.late);
@@ -440,17 +440,17 @@ impl<'m> Sequencer<'m> {
         let Some(estimate) = self.correlator.estimate() else {
             return;
         };
-        match self.stage {
-            Stage::Resting { driven } => self.rested(&plan, &estimate, driven),
-            Stage::Settling => self.control(&plan, &estimate),
-            Stage::Measuring => self.measure(&plan, &estimate),
-            Stage::Waiting | Stage::Idle | Stage::Listening | Stage::Silencing { .. } => {}
+        match self.state {
+            State::Resting { driven } => self.rested(&plan, &estimate, driven),
+            State::Settling => self.control(&plan, &estimate),
+            State::Measuring => self.measure(&plan, &estimate),
+            State::Waiting | State::Idle | State::Listening | State::Silencing { .. } => {}
         }
     }
 
     /// Begins a block of the level loop.
     fn settle(&mut self, block: Block) {
-        self.stage = Stage::Settling;
+        self.state = State::Settling;
         self.correlator.start(block, self.index);
     }
 
@@ -463,7 +463,7 @@ impl<'m> Sequencer<'m> {
     /// Waits for so many samples until a drive is in force.
     fn wait_for(&mut self, tone: Tone, samples: u32) {
         self.late = 0;
-        self.stage = Stage::Waiting;
+        self.state = State::Waiting;
         self.correlator
             .start(Block::discard(tone, samples), self.index);
     }
@@ -506,7 +506,7 @@ impl<'m> Sequencer<'m> {
             bend,
         });
         if measures {
-            self.stage = Stage::Measuring;
+            self.state = State::Measuring;
             self.measured_from = self.correlator.start_index();
             return self.measure(plan, estimate);
         }
@@ -538,7 +538,7 @@ impl<'m> Sequencer<'m> {
     }
 
     fn begin_measuring(&mut self, tone: Tone) {
-        self.stage = Stage::Measuring;
+        self.state = State::Measuring;
         if self.gathered.count() == 0 {
             self.measured_from = self.index;
         }
@@ -655,7 +655,7 @@ impl<'m> Sequencer<'m> {
     /// Ends the point with a reason: mute first.
     fn refuse(&mut self, reason: Reason) {
         let Some(plan) = self.plan else { return };
-        let result = self.result(&plan, Verdict::Refused(reason));
+        let result = self.result(&plan, PointState::Refused(reason));
         self.command = Command::Mute;
         self.end(&plan, result);
     }
@@ -663,9 +663,9 @@ impl<'m> Sequencer<'m> {
     /// Ends the point with its result: ramp down.
     fn finish(&mut self, plan: &Plan, mut result: PointResult) {
         // It may have no budget.
-        if result.verdict == Verdict::Pass {
+        if result.state == PointState::Valid {
             let measured = self.measured(plan, &result);
-            result.verdict = judge(self.settings.example, &measured);
+            result.state = judge(self.settings.example, &measured);
         }
         self.command = Command::Play(Drive {
             tone: plan.tone,
@@ -676,6 +676,6 @@ impl<'m> Sequencer<'m> {
 
     fn end(&mut self, plan: &Plan, result: PointResult) {
         let left = self.way_samples(plan.tone);
-        self.stage = Stage::Silencing { left, result };
+        self.state = State::Silencing { left, result };
     }
 }

@@ -5,11 +5,11 @@ use crate::budget::point_budget;
 use crate::hum::Span;
 use crate::phase::PhaseWalk;
 use crate::point::PointResult;
+use crate::point_state::{PointState, Reason};
 use crate::requirements::VibrationGeneration;
 use crate::sequence::checks::Measured;
 use crate::sequence::stretches::Ratio;
 use crate::tone::Tone;
-use crate::verdict::{Reason, Verdict};
 use core::f32::consts::FRAC_1_SQRT_2;
 use num_complex::Complex32;
 
@@ -55,12 +55,12 @@ impl Sequencer<'_> {
         }
         let mut ratio = self.ratio(plan);
         if blocks >= wanted {
-            return Some(self.result_of(plan, Verdict::Pass, &ratio));
+            return Some(self.result_of(plan, PointState::Valid, &ratio));
         }
         let between = ratio.scatter.standard_deviations_of_mean();
         // So few blocks agree by chance: the noise within them says how much of that it is.
         ratio.scatter.at_least(ratio.noise_rel);
-        let result = self.result_of(plan, Verdict::Pass, &ratio);
+        let result = self.result_of(plan, PointState::Valid, &ratio);
         let is_small = |deviation: f32, expanded: f32| {
             deviation.max(FRAC_1_SQRT_2 * result.hum_rel) <= ENOUGH_OF_U * expanded
         };
@@ -71,7 +71,7 @@ impl Sequencer<'_> {
         let is_enough = ratio.fitted == 0
             && agree(between.0, result.expanded_uncertainty_rel)
             && agree(between.1, result.expanded_uncertainty_phase_rad)
-            && result.verdict == Verdict::Pass
+            && result.state == PointState::Valid
             && self.is_steady(&result)
             && is_small(result.repeatability_rel, result.expanded_uncertainty_rel)
             && is_small(
@@ -88,18 +88,18 @@ impl Sequencer<'_> {
     }
 
     /// Sensitivity, uncertainty and diagnostics of what was gathered.
-    pub(super) fn result(&mut self, plan: &Plan, verdict: Verdict) -> PointResult {
+    pub(super) fn result(&mut self, plan: &Plan, state: PointState) -> PointResult {
         let ratio = match self.gathered.count() {
             0 | 1 => Ratio::default(),
             _ => self.ratio(plan),
         };
-        self.result_of(plan, verdict, &ratio)
+        self.result_of(plan, state, &ratio)
     }
 
-    fn result_of(&mut self, plan: &Plan, verdict: Verdict, ratio: &Ratio) -> PointResult {
+    fn result_of(&mut self, plan: &Plan, state: PointState, ratio: &Ratio) -> PointResult {
         let gathered = self.gathered;
         let mut result = PointResult::refused(plan.spec, Some(plan.tone), Reason::Stopped);
-        result.verdict = verdict;
+        result.state = state;
         self.describe_drive(plan, &mut result);
         if gathered.count() < 2 {
             return result;
@@ -175,7 +175,7 @@ impl Sequencer<'_> {
                 result.effective_degrees_of_freedom = magnitude.effective_degrees_of_freedom;
                 result.expanded_uncertainty_phase_rad = phase.expanded_uncertainty;
             }
-            Err(_) => result.verdict = Verdict::Refused(Reason::BudgetInvalid),
+            Err(_) => result.state = PointState::Refused(Reason::BudgetInvalid),
         }
     }
 }

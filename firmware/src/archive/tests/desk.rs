@@ -3,11 +3,11 @@
 
 use super::flash::MockFlash;
 use calib_core::point::{PointResult, PointSpec};
+use calib_core::point_state::{PointState, Reason};
 use calib_core::points::PREFERRED_HZ;
 use calib_core::settings::Settings;
 use calib_core::stored_list::StoredLists;
 use calib_core::tone::Tone;
-use calib_core::verdict::{Reason, Verdict};
 use calib_firmware::archive::{
     Archive, ArchiveError, Directory, LastAccess, MAX_ITEM, Memory, SECTORS,
 };
@@ -79,7 +79,7 @@ pub(crate) fn result(frequency_hz: f32, seed: u32) -> PointResult {
     };
     let tone = Tone::nearest(frequency_hz, 50_000.0);
     let mut point = PointResult::refused(spec, tone, Reason::Clipped);
-    point.verdict = Verdict::Pass;
+    point.state = PointState::Valid;
     point.sensitivity_v_per_ms2 = 0.01 + seed as f32 * 1e-6;
     point.phase_rad = -0.01 * seed as f32;
     point.distortion_dut_rel = 0.001 * (seed % 7) as f32;

@@ -5,7 +5,7 @@ use super::value::{phrase, said, text};
 use crate::model::{Line, Section, Value};
 use crate::particulars::{Adjustment, Measurand, Particulars, Place};
 use crate::stored::run_day;
-use calib_core::verdict::Verdict;
+use calib_core::point_state::PointState;
 use calib_protocol::record::Record;
 
 pub(super) fn calibration(record: &Record, particulars: &Particulars) -> Section {
@@ -74,7 +74,7 @@ fn blocks(record: &Record) -> Value {
     let valid = record
         .points
         .iter()
-        .filter(|point| point.verdict == Verdict::Pass);
+        .filter(|point| point.state == PointState::Valid);
     let counts = || valid.clone().map(|point| point.blocks);
     match counts().min().zip(counts().max()) {
         Some((fewest, most)) if fewest < most => {
@@ -105,7 +105,7 @@ fn lowest_coherence(record: &Record) -> Option<f64> {
     let passed = record
         .points
         .iter()
-        .filter(|point| point.verdict == Verdict::Pass);
+        .filter(|point| point.state == PointState::Valid);
     passed
         .filter_map(|point| point.coherence.map(f64::from))
         .reduce(f64::min)

@@ -13,7 +13,7 @@ pub use requirements::{Basis, Outcome, Requirement, requirements};
 pub use rows::Held;
 
 use calib_core::settings::Example;
-use calib_output::{PointState, SetPoint};
+use calib_output::{SetPoint, StateView};
 use calib_protocol::record::Record;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -40,7 +40,7 @@ pub struct PointCheck {
     #[serde(flatten)]
     pub set: SetPoint,
     /// State of the point, as the instrument gave it.
-    pub state: PointState,
+    pub state: StateView,
     /// Code of the instrument's reason for a refusal, in snake case.
     pub reason: Option<String>,
     /// Rows of Tables 1 and 2; none for a refused point, whose numbers are no
@@ -80,10 +80,10 @@ pub fn check(record: &Record, missing: Vec<Missing>, example: Option<Example>) -
 
 fn points(record: &Record, example: Example) -> Vec<PointCheck> {
     let judged = record.points.iter().map(|point| {
-        let (state, reason) = PointState::of(point.verdict);
+        let (state, reason) = StateView::of(point.state);
         let held = match state {
-            PointState::Valid => rows::held(record, example, point),
-            PointState::Refused => Vec::new(),
+            StateView::Valid => rows::held(record, example, point),
+            StateView::Refused => Vec::new(),
         };
         PointCheck {
             set: SetPoint::from(&point.spec),
@@ -125,8 +125,9 @@ mod tests {
         assert!(!check.pass);
         assert!(check.points[0].pass && !check.points[1].pass);
         // A refused point has no result that could fail.
-        record.points[1].verdict =
-            calib_core::verdict::Verdict::Refused(calib_core::verdict::Reason::Distortion);
+        record.points[1].state = calib_core::point_state::PointState::Refused(
+            calib_core::point_state::Reason::Distortion,
+        );
         let check = super::check(&record, Vec::new(), Some(Example::Example2));
         assert_eq!(of(&check, distortion).outcome, Outcome::Pass);
     }

@@ -4,12 +4,12 @@ use super::linearity;
 use super::rows::{PER_POINT, Row, Side, percent};
 use calib_core::budget::Component;
 use calib_core::point::PointResult;
+use calib_core::point_state::PointState;
 use calib_core::requirements::{
     Environment, Instruments, ReferenceTransducer, SingleVoltmeter, VibrationGeneration,
     transverse_at,
 };
 use calib_core::settings::Example;
-use calib_core::verdict::Verdict;
 use calib_protocol::record::Record;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -93,7 +93,7 @@ pub fn requirements(record: &Record, example: Example) -> Vec<Requirement> {
     let points: Vec<&PointResult> = record
         .points
         .iter()
-        .filter(|point| point.verdict == Verdict::Pass)
+        .filter(|point| point.state == PointState::Valid)
         .collect();
     let mut rows: Vec<Requirement> = PER_POINT
         .iter()

@@ -2,7 +2,7 @@
 
 use crate::statistics::mean;
 use calib_core::channel_ratio::{ChannelRatio, ChannelRatioPoint};
-use calib_core::verdict::Verdict;
+use calib_core::point_state::PointState;
 use calib_protocol::record::Record;
 use num_complex::Complex64;
 use schemars::JsonSchema;
@@ -303,7 +303,7 @@ fn readings(record: &Record) -> Result<Vec<Reading>, RunError> {
     let points = record.points.iter().map(|point| {
         let frequency_hz = point.spec.frequency_hz;
         let reference = record.settings.reference.at(frequency_hz);
-        let (Verdict::Pass, Some(reference)) = (point.verdict, reference) else {
+        let (PointState::Valid, Some(reference)) = (point.state, reference) else {
             return Err(refused(record, frequency_hz));
         };
         // An input that is inverted is stated apart from the phase.

@@ -23,11 +23,11 @@ pub use file::{Readings, load, parse};
 pub use reading::{Reading, Values};
 pub use report::report;
 
+use calib_core::point_state::Reason;
 use calib_core::points::{REFERENCE_HZ, deviation};
 use calib_core::polarity::Polarity;
 use calib_core::settings::Example;
-use calib_core::verdict::Reason;
-use calib_output::{PointState, code};
+use calib_output::{StateView, code};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -56,7 +56,7 @@ pub struct PointSensitivity {
     /// Deviation of the phase from the reference point, degrees.
     pub deviation_deg: Option<f32>,
     /// Whether there is a result.
-    pub state: PointState,
+    pub state: StateView,
     /// Code of the reason for a refusal, in snake case.
     pub reason: Option<String>,
     /// Reason in words.
@@ -113,8 +113,8 @@ fn sensitivity(reading: &Reading, with_phase: bool, example: Example) -> PointSe
         deviation_db: None,
         deviation_deg: None,
         state: match value {
-            Ok(_) => PointState::Valid,
-            Err(_) => PointState::Refused,
+            Ok(_) => StateView::Valid,
+            Err(_) => StateView::Refused,
         },
         reason: value.err().map(|reason| code(&reason)),
         refused: value.err().map(|reason| match reason {
