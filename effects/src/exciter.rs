@@ -243,7 +243,7 @@ pub static ARMATURE_MODE: Entry = Entry {
     ..Entry::CALIBRATOR
 };
 
-/// What pushes the table pushes the body back, which has ten to two hundred times its mass and stands on
+/// The table's force acts back on the body, which has ten to two hundred times its mass and stands on
 /// feet of rubber, on springs or on a bench. It gives way most where it resonates on them.
 pub static BODY_MODE: Entry = Entry {
     id: "body_mode",

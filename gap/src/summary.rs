@@ -71,7 +71,7 @@ impl Answer {
         }
     }
 
-    /// What all causes that are possible have in common, and how probable it is with any of them.
+    /// Effects that all possible causes have in common, and how probable it is with any of them.
     fn in_all(&self) -> String {
         let possible = self.causes.iter();
         let possible: Vec<&Cause> = possible

@@ -37,7 +37,7 @@ pub(crate) const BUMP_P_VALUE: f64 = 0.01;
 /// Share of what a set leaves beyond noise from which an effect beside it is a cause and no correction. Corrections
 /// of withheld causes that came to be tried had 0.006 to 0.023.
 pub(crate) const CAUSE_SHARE: f64 = 0.05;
-/// What unseen rows leave without one effect of a larger set, over what they leave with it, from which that effect is
+/// Misfit of unseen rows without one effect of a larger set, over the misfit with it, from which that effect is
 /// no correction of another form: of two sealed sets whose third effect was struck for it, 60 and 170.
 pub(crate) const NO_CORRECTION: f64 = 10.0;
 /// Root mean square of error over uncertainty on held-out rows above which no set explains.
@@ -148,7 +148,7 @@ pub(crate) const REACH_SHARE: f64 = 0.02;
 pub(crate) const NEAREST_STARTS: usize = 2;
 /// Sets of one size from which larger ones are grown.
 pub(crate) const BASES: usize = 7;
-/// The same of those whose first effect shows in the same kind of observable, beyond [`BASES`].
+/// Sets beyond [`BASES`] whose first effect shows in one kind of observable.
 pub(crate) const BASES_OF_A_KIND: usize = 2;
 /// Pairs that are refined fully.
 pub(crate) const MOST_PAIRS: usize = 14;
@@ -212,7 +212,7 @@ pub(crate) const NOISE_P_VALUE: f64 = 1e-4;
 /// instrument's resolution were wrong by up to 6.5 in measured sets. What twelve to thirty rows leave of a comb, a
 /// notch or a band-pass, which the library lacks, looks like noise of 27 to 180 times the stated.
 pub(crate) const MOST_ON_U: f64 = 10.0;
-/// The same over the scatter of repetitions, which a dozen pairs state within a third.
+/// That factor over the scatter of repetitions, which a dozen pairs state within a third.
 pub(crate) const MOST_OVER_REPEATED: f64 = 2.0;
 /// Standard deviations by which a correlation of independent rows does not differ from zero: 3e-5.
 pub(crate) const COLOUR_SIGMA: f64 = 4.0;
@@ -403,7 +403,7 @@ pub(crate) const STEPS_OF_LEADING: usize = 10;
 pub(crate) const STEPS_TO_THE_END: usize = 40;
 /// Gain of -2 ln likelihood below which a fit of a record stops, over the number of samples.
 pub(crate) const STEP_WORTH: f64 = 1e-6;
-/// The same of points, over what is left beyond noise: nothing shows it there.
+/// Gain of points below which a fit stops, over what is left beyond noise: nothing shows it there.
 pub(crate) const STEP_SHARE: f64 = 1e-4;
 /// Damping of a second mode where a fit starts. x0.5: 1 of 11 records changes.
 pub(crate) const MODE_DAMPING: f64 = 0.05;

@@ -256,7 +256,7 @@ pub fn failed_checks(logbook: Option<&Logbook>, record: &Record) -> Result<Vec<F
     Ok(failed)
 }
 
-/// What the certificate of a check standard states.
+/// Statements of the certificate of a check standard.
 ///
 /// # Errors
 /// Those of the logbook, and [`Error::Files`] where nobody stated it.

@@ -15,7 +15,7 @@ const TEMPLATE: &str = include_str!("assurance_report.html");
 const YEAR_S: f64 = 31_557_600.0;
 const FIRST_YEAR: f64 = 1970.0;
 
-/// What the template has at hand.
+/// Values at hand for the template.
 #[derive(Serialize)]
 struct Page {
     made: String,

@@ -5,7 +5,7 @@ use std::str::FromStr;
 /// A finite number.
 ///
 /// # Errors
-/// What is wanted instead.
+/// Why the text is no finite number.
 pub fn finite<T: FromStr + Into<f64> + Copy>(text: &str) -> Result<T, String> {
     read(text).ok_or_else(|| format!("must be a number{}", hint(text)))
 }
@@ -13,7 +13,7 @@ pub fn finite<T: FromStr + Into<f64> + Copy>(text: &str) -> Result<T, String> {
 /// A finite number above zero.
 ///
 /// # Errors
-/// What is wanted instead.
+/// Why the text is no number above zero.
 pub fn positive<T: FromStr + Into<f64> + Copy>(text: &str) -> Result<T, String> {
     let above = |value: &T| (*value).into() > 0.0;
     let value = read(text).filter(above);
@@ -25,7 +25,7 @@ fn read<T: FromStr + Into<f64> + Copy>(text: &str) -> Option<T> {
     text.trim().parse().ok().filter(finite)
 }
 
-/// What people do who write it otherwise.
+/// The usual slip of those who write it otherwise.
 fn hint(text: &str) -> &'static str {
     match text.trim().replacen(',', ".", 1).parse::<f64>() {
         Ok(_) if text.contains(',') => ", written 12.5 with a point",

@@ -25,7 +25,7 @@ impl Plot {
         self.terminal_marked(width, height, &across_ticks(&self.x))
     }
 
-    /// The same with ticks of one's own on the horizontal axis: places from 0 at its left end to 1, and labels.
+    /// The plot with ticks of one's own on the horizontal axis: places from 0 at its left end to 1, and labels.
     #[must_use]
     pub fn terminal_marked(&self, width: usize, height: usize, ticks: &[(f64, String)]) -> String {
         let points = || self.points().filter(|p| self.is_drawn(p));

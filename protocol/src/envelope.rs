@@ -1,4 +1,4 @@
-//! What is around the content of every record: two bytes that say its kind and form, and a checksum.
+//! The envelope around the content of every record: two bytes that say its kind and form, and a checksum.
 
 use crate::error::RecordError;
 use crate::frame::CRC;

@@ -18,7 +18,7 @@ type Module = Vec<String>;
 struct Crate {
     /// File that each module lies in.
     files: BTreeMap<Module, PathBuf>,
-    /// What a module gives out that lies elsewhere: its name there, and where it is.
+    /// Items a module gives out that lie elsewhere: their name there, and where they are.
     given_out: BTreeMap<(Module, String), Module>,
     /// Names in each module, from the root of the crate.
     named: BTreeSet<(Module, Module)>,

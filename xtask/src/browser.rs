@@ -10,7 +10,7 @@ use anyhow::{Context, Result, bail};
 use std::path::PathBuf;
 
 const PROGRAMS: [&str; 2] = ["chromedriver", "chromium"];
-/// What makes pages of notebooks.
+/// Packages that make pages of notebooks.
 const NOTEBOOKS: &str = "nbconvert==7.* ipykernel==6.*";
 const INSTALL: &str = "apt-get install chromium chromium-driver";
 

@@ -102,7 +102,7 @@ pub struct Level {
     pub noise_ms2: f32,
 }
 
-/// What a step of the loop aims at.
+/// Aim of a step of the loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Aim {
     Probe,
@@ -132,7 +132,7 @@ pub struct LevelState {
     waits: u8,
     /// Changes of the level from block to block since the last drive.
     rises: Swings,
-    /// What a level differs by from block to block whatever the drive is, m/s2 peak; 0 as long as nothing showed it.
+    /// Beat of the level from block to block whatever the drive is, m/s2 peak; 0 as long as nothing showed it.
     beat_ms2: f32,
     /// Trims in a row that did not settle, and what they left beside the set level.
     trims: u8,
@@ -552,7 +552,7 @@ mod tests {
         assert!(highest <= 1.26 * SET_PEAK_MS2);
     }
 
-    /// What another point may have told of this exciter, which does not bend.
+    /// Findings of other points about this exciter, which does not bend.
     const TOLD: [Option<Bend>; 4] = [
         None,
         Some(Bend {

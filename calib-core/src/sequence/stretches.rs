@@ -101,7 +101,8 @@ impl Stretches {
 
 /// Largest change of an amplitude from one third of a point to another, relative.
 ///
-/// What is beside the tone beats from block to block; the mean of a third has less of that, and as much of a drift.
+/// Relative change over a measurement: of two means of a third each. Motion beside the tone beats from block to block
+/// and shows less in them, a drift as much.
 fn moved_rel(amplitudes: &[Complex32]) -> f32 {
     let count = amplitudes.len();
     let (mut lowest, mut highest) = (f32::INFINITY, 0.0_f32);

@@ -174,7 +174,7 @@ struct Rig<'m> {
     late: u32,
     /// Turns until the last one is.
     held: u32,
-    /// What was commanded last.
+    /// The last command.
     commanded: Command,
 }
 

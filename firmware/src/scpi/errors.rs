@@ -53,7 +53,7 @@ pub enum ScpiError {
     NotAligned = 202,
 }
 
-/// What an order was declined for, whichever command gave it.
+/// Reason for which an order was declined, whichever command gave it.
 impl From<Refusal> for ScpiError {
     fn from(refusal: Refusal) -> Self {
         match refusal {

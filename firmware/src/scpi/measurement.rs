@@ -18,7 +18,7 @@ pub(super) fn is_running(instrument: &mut impl Instrument) -> bool {
     instrument.status().state.is_running()
 }
 
-/// What a run is of.
+/// Object of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum What {
     /// The configured point.

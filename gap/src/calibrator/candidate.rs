@@ -110,7 +110,7 @@ impl Candidate {
         columns.collect()
     }
 
-    /// The same from a simulation of each.
+    /// The candidates from a simulation of each.
     pub(super) fn simulated(
         &self,
         problem: &Problem,

@@ -54,7 +54,7 @@ impl<'a> Found<'a> {
                 .all(|(free, theta)| !free.bounded || theta.abs() < thresholds::NOMINAL_STRETCHED)
     }
 
-    /// What a fit leaves of -2 ln likelihood beyond noise, which is one per datum.
+    /// Remainder of a fit, in -2 ln likelihood, beyond noise, which is one per datum.
     pub(super) fn beyond_noise(&self, fit: &Fit) -> f64 {
         fit.objective - self.problem.len() as f64
     }

@@ -63,9 +63,9 @@ struct Growth {
     floor: f64,
     /// Predicted gain from which the best effect of its kind of observable is tried.
     least: f64,
-    /// The same as a share of what the set leaves beyond noise.
+    /// That gain as a share of what the set leaves beyond noise.
     share: f64,
-    /// What a set has to promise more than a part of it that leaves noise only.
+    /// Predicted gain over that of a part of the set that leaves noise only.
     worth: f64,
 }
 
@@ -231,7 +231,7 @@ impl Searcher<'_> {
         any
     }
 
-    /// What is worth a try beside each of some sets, but for sets that were tried.
+    /// Additions worth a try beside each of some sets, but for sets that were tried.
     fn plans(&mut self, bases: Vec<Fit>, growth: &Growth, tried: &[Vec<usize>]) -> Vec<Plan> {
         let mut plans: Vec<Plan> = Vec::new();
         for fit in bases {
@@ -370,7 +370,7 @@ impl Limits {
         )
     }
 
-    /// The same without the third and fourth effect: what rows remember of those before looks like one.
+    /// These limits without the third and fourth effect: rows that remember those before look like one.
     pub(crate) fn without_more(&self) -> Self {
         Self {
             most_beside_lack_of_fit: self.most_effects,
@@ -414,7 +414,7 @@ mod tests {
         }
     }
 
-    /// What was negligible beside a set that is struck leads where that is gone: it is heard too.
+    /// A set that was negligible beside one that is struck leads where that is gone: it is heard too.
     #[test]
     fn a_set_that_comes_up_is_struck_as_well() {
         let mut found = Search {

@@ -128,7 +128,7 @@ impl<'a> Unseen<'a> {
         each.all(|at| self.misfit_without(problem, fit, at) > needed)
     }
 
-    /// What a set leaves of the unseen rows without one of its effects, the others kept as they are.
+    /// Misfit of the unseen rows without one effect of a set, the others kept as they are.
     fn misfit_without(&self, problem: &Problem, fit: &Fit, at: usize) -> f64 {
         self.misfit(problem, &without(fit, at))
     }
@@ -150,7 +150,7 @@ impl<'a> Unseen<'a> {
         self.misfit_of(problem, fit, |_| true)
     }
 
-    /// The same of some observables.
+    /// Misfit of some observables.
     fn misfit_of(&self, problem: &Problem, fit: &Fit, counts: impl Fn(Observable) -> bool) -> f64 {
         let (testing, from, fit) = match self {
             Self::Other(other, _) => (&**other, problem, fit.clone()),

@@ -137,7 +137,7 @@ impl Effect for Adc {
                 .collect(),
         }
     }
-    /// What bends softly goes with the square of the reciprocal of its threshold.
+    /// The effect of a soft threshold goes with the square of its reciprocal.
     fn combine(&self, start: &Start, amplitudes: &[f64]) -> Vec<f64> {
         let size = amplitudes[0];
         match self.bend {

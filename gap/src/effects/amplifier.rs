@@ -48,7 +48,7 @@ impl Effect for Amplifier {
             Self::EvenOrder => vec![Start::signed(vec![0.001 / facts.largest_coil_peak_v], 0)],
         }
     }
-    /// What a knee bends goes with the square of its reciprocal.
+    /// The effect of a knee goes with the square of its reciprocal.
     fn combine(&self, start: &Start, amplitudes: &[f64]) -> Vec<f64> {
         let size = amplitudes[0];
         match self {

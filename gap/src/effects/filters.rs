@@ -114,7 +114,8 @@ fn corners_below(facts: &Facts, lowest: f64, count: usize) -> Vec<f64> {
 /// Corner of a steep filter over the highest frequency from which it cannot be told from a delay: the phase of
 /// Butterworth's bends away from one by 0.36 (f/fc)^3 rad, of which a tenth of a degree is left there.
 const FARTHEST_BUTTERWORTH: f64 = 6.0;
-/// The same of Bessel's, which does not bend its phase and loses (2.114 f/fc)^2 / 14: three tenths of a per cent.
+/// Farthest corner of a Bessel filter, which does not bend its phase and loses (2.114 f/fc)^2 / 14: three tenths of a
+/// per cent.
 const FARTHEST_BESSEL: f64 = 10.0;
 /// Product of duration and highest frequency at which averaging twice loses 1 % there; of less the
 /// second order alone tells it from averaging once.

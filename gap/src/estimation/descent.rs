@@ -38,7 +38,7 @@ pub(crate) struct Effort {
     pub(crate) within: f64,
     /// Gain of the objective below which a step is small.
     pub(crate) enough: f64,
-    /// The same as a share of what noise does not leave: a gain that nothing shows beside it.
+    /// That gain as a share of what noise does not leave: nothing shows it beside that.
     pub(crate) share: f64,
     /// Small steps in a row that end the fit.
     pub(crate) small_steps: usize,
@@ -183,7 +183,7 @@ mod tests {
         assert!(decay.steps_tried <= 2, "{}", decay.steps_tried);
     }
 
-    /// What is out of reach gets a few steps, and what is within reach as many as it needs, without a second start.
+    /// A fit out of reach gets a few steps, one within reach as many as it needs, without a second start.
     #[test]
     fn a_fit_out_of_reach_ends_at_a_glance() {
         for (within, goes_on) in [(0.0, false), (1e9, true)] {

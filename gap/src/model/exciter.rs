@@ -124,7 +124,7 @@ impl Exciter {
         stated / (1.0 - self.creep_per_decade * Complex64::new(decades, quarter))
     }
 
-    /// The same at rest.
+    /// Stiffness at rest.
     pub(crate) fn static_stiffness_n_per_m(&self) -> f64 {
         let decades = (CREEP_FREQUENCY_HZ / RELAXED_HZ).log10();
         self.stiffness_n_per_m / (1.0 + self.creep_per_decade * decades)

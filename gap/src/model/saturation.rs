@@ -79,7 +79,7 @@ pub(super) fn saturated_fundamental(a: f64) -> [f64; 2] {
     [value, derivative]
 }
 
-/// What the sum leaves out of an order, over `r^n`.
+/// Remainder that the sum leaves of an order, over `r^n`.
 fn rest(n: f64, s: f64, b: f64) -> f64 {
     4.0 / (n * PI) - PI / 6.0 * (n / (s * s) + b / (s * s * s))
 }

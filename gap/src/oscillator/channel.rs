@@ -42,9 +42,9 @@ pub(super) struct Channel {
     low: Option<Follower>,
     /// Rate of the high-pass, in units of w0.
     rate: f64,
-    /// What the high-pass keeps from the rest.
+    /// Level that the high-pass holds back, from rest on.
     held_back: f64,
-    /// What the low-pass has let through.
+    /// Output of the low-pass.
     passed: f64,
     /// Output at rest, at the first sample of the file.
     zero: f64,
@@ -99,7 +99,7 @@ impl Channel {
         self.held_back = held_back;
     }
 
-    /// What the high-pass keeps from the rest.
+    /// Level that the high-pass holds back, from rest on.
     pub(super) fn held_back(&self) -> f64 {
         self.held_back
     }

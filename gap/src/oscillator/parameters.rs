@@ -60,7 +60,7 @@ pub(crate) enum Parameter {
     LnYieldDeflection,
     /// State of the high-pass at the first sample.
     HeldBack,
-    /// What the low-pass is ahead at the first sample of where a steady motion leaves it.
+    /// Lead of the low-pass, at the first sample, over where a steady motion leaves it.
     Lagging,
     /// Displacement of the second mode at the first sample.
     ModeDisplacement,

@@ -47,12 +47,12 @@ impl Run {
         Self::of(record.clone(), steps, false)
     }
 
-    /// The same record with an input that is held between the samples, or is not.
+    /// This record with an input that is held between the samples, or is not.
     pub(super) fn holding(&self, holds: bool) -> Self {
         Self::of(self.first(usize::MAX), self.steps, holds)
     }
 
-    /// The same record, integrated as another one is.
+    /// This record, integrated as another one is.
     pub(super) fn as_in(&self, other: &Self) -> Self {
         Self::of(self.first(usize::MAX), other.steps, other.holds)
     }

@@ -20,7 +20,7 @@ const FORCES: [Parameter; 9] = [
 pub(super) struct Terms<'a> {
     pub(super) values: &'a OscillatorParameters,
     yields_at: f64,
-    /// What the spring has gained since the first sample of the file, relative.
+    /// Gain of the spring since the first sample of the file, relative.
     stiffer: f64,
     /// Slope of dry friction about rest: as steep as the steps can follow.
     steepness: f64,

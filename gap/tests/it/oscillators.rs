@@ -161,7 +161,7 @@ fn units_do_not_decide() {
     assert!((k3 * metres * metres / 2.0 - 1.0).abs() < 0.01, "{k3}");
 }
 
-/// What a slow high-pass held back before the record still shows at its end.
+/// The state that a slow high-pass held back before the record still shows at its end.
 #[test]
 fn a_slow_high_pass_is_found() {
     let filtered = Added {

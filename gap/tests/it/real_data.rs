@@ -40,7 +40,7 @@ fn the_silver_box_has_a_cubic_and_a_quadratic_spring() {
     }
 }
 
-/// What is named of a measured record predicts the quarter that is held out no worse than the linear
+/// The terms named of a measured record predict the quarter that is held out no worse than the linear
 /// oscillator does. The shock has a pulse and ringing in the three quarters that are fitted, and ringing
 /// alone in the last; the drive has friction, which a mode and a spring describe on its first moves.
 #[test]

@@ -9,7 +9,7 @@ use std::fmt::Write;
 
 type Response = Box<dyn Fn(f64) -> Complex64>;
 
-/// What is stated of each row.
+/// Uncertainties stated of each row.
 const U_RATIO: f64 = 0.01;
 const U_PHASE_DEG: f64 = 1.0;
 
@@ -19,7 +19,7 @@ fn answer(response: &Response, hz: [f64; 2], rows: usize, phase: bool, seed: u64
     answer_at(response, &sweep.collect::<Vec<f64>>(), phase, 1.0, seed)
 }
 
-/// The same at any frequencies, with noise of `factor` times the stated uncertainty.
+/// The answer at any frequencies, with noise of `factor` times the stated uncertainty.
 fn answer_at(response: &Response, hz: &[f64], phase: bool, factor: f64, seed: u64) -> Answer {
     let mut random = Random::new(seed);
     let mut table = String::from("frequency_hz,ratio,u_ratio");
@@ -94,7 +94,7 @@ fn what_the_library_lacks_is_not_taken_for_noise() {
     }
 }
 
-/// The same swings are noise where each point was taken three times and came out anew.
+/// Swings are noise where each point was taken three times and came out anew.
 #[test]
 fn repetitions_show_a_noise_of_any_size() {
     let once: Vec<f64> = (0..20).map(|at| 20.0 * 1.3_f64.powi(at)).collect();

@@ -152,7 +152,7 @@ impl Added {
         ]
     }
 
-    /// The same `factor` times as strong; a limit moves by its root, as nothing reaches one that is far.
+    /// These terms `factor` times as strong; a limit moves by its root, as nothing reaches one that is far.
     pub(crate) fn scaled(mut self, factor: f64) -> Self {
         for size in self.sizes() {
             *size *= factor;
@@ -191,7 +191,7 @@ fn high_passed(a: &Added, s: &State) -> f64 {
     s[0] + s[2] - if a.corner_hz > 0.0 { s[5] } else { 0.0 }
 }
 
-/// What is recorded of a state, some time into the record.
+/// The recorded value of a state, some time into the record.
 fn seen(a: &Added, s: &State, time_s: f64) -> f64 {
     let mut seen = high_passed(a, s);
     if a.lowpass_hz > 0.0 {

@@ -63,7 +63,7 @@ fn agreement_rel(budget: &CoreBudget<'_>) -> f64 {
     STORED_U_REL + 2.0 * share * STORED_REPEATABILITY_REL
 }
 
-/// What a substitution leaves of the magnitude's budget at a point, with the standard's part; why it cannot.
+/// The magnitude's budget at a point after a substitution, with the standard's part; why there is none.
 pub(super) type LeftOf<'a> =
     Box<dyn Fn(&CoreBudget<'_>, &PointResult) -> Result<CoreBudget<'static>, String> + 'a>;
 

@@ -183,7 +183,7 @@ pub(super) fn render(certificate: &Certificate, language: Language) -> Result<Ve
     writer.into_inner().map_err(|e| broken(e.to_string()))
 }
 
-/// What a row is made of. Results are as printed: what is on paper and what is in the file is one number.
+/// Sources of a row. Results are as printed: paper and file show one number.
 struct Row<'a> {
     certificate: &'a Certificate,
     point: &'a Point,

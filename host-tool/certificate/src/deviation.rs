@@ -83,7 +83,7 @@ pub(super) fn of_ratio(
     })
 }
 
-/// What is left in the ratio of two results of both their budgets; none where it does not fit into one.
+/// Components left in the ratio of two results of both their budgets; none where it does not fit into one.
 pub(super) fn left_of(
     point: &Budget<'_>,
     reference: &Budget<'_>,

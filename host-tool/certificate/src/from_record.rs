@@ -155,7 +155,7 @@ fn judging(record: &Record, particulars: &Particulars) -> Particulars {
     particulars
 }
 
-/// What the instrument judged by; nothing of a sensor it cannot judge.
+/// The terms the instrument judged by; nothing of a sensor it cannot judge.
 fn of_list(record: &Record, kind: SensorKind) -> Option<Request> {
     let mut request = Request::of_terms(&record.list);
     request.nominal = request.nominal.map(|nominal| {

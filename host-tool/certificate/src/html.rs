@@ -24,7 +24,7 @@ pub(super) fn render(presented: &Presented) -> Result<Vec<u8>> {
     page("page.html", TEMPLATE, &values).map(String::into_bytes)
 }
 
-/// What the template has at hand.
+/// Values at hand for the template.
 #[derive(Serialize)]
 struct Values<'a> {
     c: &'a Presented,

@@ -53,7 +53,7 @@ pub struct Document {
     /// Statements by section.
     #[serde(flatten)]
     sections: BTreeMap<&'static str, Statements>,
-    /// What `in_unit` of the points is in.
+    /// Quantity and unit of `in_unit` of the points.
     kind: Kind,
     /// The object is inverted in the sense of Annex B, against its own motion.
     inverted: bool,
@@ -193,12 +193,12 @@ fn judged(certificate: &Certificate) -> impl Iterator<Item = JudgedPoint> {
     certificate.points.iter().map(point)
 }
 
-/// What a sensitivity is one of.
+/// Quantity and unit of a sensitivity.
 #[derive(Clone, Serialize, JsonSchema)]
 struct Kind {
     /// Motion: `acceleration`, `velocity` or `displacement`.
     quantity: &'static str,
-    /// What the sensor gives: `voltage`, `charge` or `current`.
+    /// Output of the sensor: `voltage`, `charge` or `current`.
     output: Output,
     /// Unit of the sensitivity.
     unit: &'static str,

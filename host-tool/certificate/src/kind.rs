@@ -21,7 +21,7 @@ use std::str::FromStr;
 /// Standard acceleration of free fall, m/s2 (ISO 80000-3): a sensitivity per g over one per m/s2.
 pub(crate) const STANDARD_GRAVITY_MS2: f64 = 9.806_65;
 
-/// What a sensor gives.
+/// Output of a sensor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Output {
@@ -62,7 +62,7 @@ pub enum SensitivityUnit {
 use MotionQuantity::{Acceleration, Displacement, Velocity};
 use SensitivityUnit::*;
 
-/// What there is to know of a unit.
+/// Facts about a unit.
 struct Form {
     /// As it is typed.
     name: &'static str,
@@ -144,7 +144,7 @@ impl SensitivityUnit {
         self.form().d_si
     }
 
-    /// What the sensor gives.
+    /// Output of the sensor.
     pub fn output(self) -> Output {
         self.form().output
     }
@@ -227,7 +227,7 @@ impl FromStr for Specified {
     }
 }
 
-/// What stands between a sensor and the input: a charge amplifier, or a burden.
+/// The part between a sensor and the input: a charge amplifier, or a burden.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Conditioner {
     /// mV/pC, or ohm.
@@ -288,7 +288,7 @@ impl SensorKind {
         }
     }
 
-    /// What the instrument measures without any conversion: volts and acceleration.
+    /// Whether the instrument measures it without any conversion: volts and acceleration.
     pub fn is_as_measured(self) -> bool {
         self.unit.is_alike(SensitivityUnit::default())
     }
@@ -298,7 +298,7 @@ impl SensorKind {
         self.unit.output() == Output::Current
     }
 
-    /// The same sensor with this unit for what is shown.
+    /// This sensor with another unit for what is shown.
     ///
     /// # Errors
     /// Why it cannot be shown in it.

@@ -31,7 +31,7 @@ pub struct Certificate {
     pub between: Option<(Date, Date)>,
     /// Statements beside the record.
     pub particulars: Particulars,
-    /// What the sensitivities are ones of, and in which unit.
+    /// The quantity that the sensitivities are ones of, and their unit.
     pub kind: SensorKind,
     /// Statements in the order they are printed.
     pub sections: Vec<Section>,
@@ -253,7 +253,7 @@ pub struct PointValues {
     pub assessment: Option<Assessment>,
     /// Sensitivity and U in the unit that certificates of this kind state, as printed.
     pub printed: Rounded,
-    /// The same per standard acceleration of free fall, of a sensor to acceleration.
+    /// The sensitivity per standard acceleration of free fall, of a sensor to acceleration.
     pub printed_per_g: Option<Rounded>,
     /// Phase and U in degrees, as printed; `None` when the phase has no U.
     pub printed_phase_deg: Option<Rounded>,

@@ -480,7 +480,7 @@ mod tests {
         }
     }
 
-    /// What a velocity transducer gives against acceleration falls with the frequency, by 6 dB an octave.
+    /// The output of a velocity transducer against acceleration falls with the frequency, by 6 dB an octave.
     #[test]
     fn the_resonance_of_a_velocity_transducer_is_that_of_its_own_response() {
         let mut record = swept(&THIRD_OCTAVES_HZ);

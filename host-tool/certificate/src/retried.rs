@@ -129,7 +129,7 @@ fn worse(one: Closing, other: Closing) -> Closing {
     }
 }
 
-/// What was not told of one is not known of both.
+/// The farther of two temperatures; one that was not told is not known of both.
 fn farther(temperatures: (Option<i16>, Option<i16>)) -> Option<i16> {
     let (one, other) = (temperatures.0?, temperatures.1?);
     let distance = |centi_c: i16| centi_c.abs_diff(ROOM_CENTI_C);

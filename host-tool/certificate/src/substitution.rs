@@ -160,7 +160,7 @@ fn pair_of<'s>(
     (before.sensitivity_v_per_ms2 > 0.0).then_some((before, known))
 }
 
-/// What a substitution for this standard leaves of a budget.
+/// The budgets that a substitution for this standard leaves.
 pub(super) fn left_of_pair<'a>(standard: &'a Standard, particulars: &Particulars) -> LeftOf<'a> {
     let pair = Pair::new(standard, particulars);
     Box::new(move |device, point| pair.left_of(device, point))
@@ -185,7 +185,7 @@ impl<'a> Pair<'a> {
         pair_of(self.standard, spec)
     }
 
-    /// What is left of the device's budget and the standard's, and U of the standard by its certificate.
+    /// The budget left of the device's and the standard's, and U of the standard by its certificate.
     fn left_of(
         &self,
         device: &Budget<'_>,

@@ -21,7 +21,7 @@ const COVERED_K: f64 = 3.0;
 /// of IEC 60751 has 0.4 K at room temperature), half of it what it touches, which is not the inside of a transducer
 /// whose own electronics warm it by some tenths.
 const TOLD_TO_K: f64 = 1.0;
-/// The same where the air's was told and no difference from it: the coil warms the table. What Table D.1 takes for
+/// That bound where the air's was told and no difference from it: the coil warms the table. Table D.1 takes it for
 /// a laboratory whose transducers nobody measured.
 const BY_AIR_TO_K: f64 = 3.0;
 /// Row of Table A.1.

@@ -1,4 +1,4 @@
-//! What a run says that no host began.
+//! Certificates of a run that no host began.
 
 use super::decision::{Stated, Tolerance};
 use super::{

@@ -263,7 +263,7 @@ fn the_numbers_of_a_point_are_the_same_in_every_format() {
     }
 }
 
-/// What has to be in every format that people or programs read whole: marks, remarks, verdict, statements.
+/// Marks, remarks, verdict and statements are in every format that people or programs read whole.
 #[test]
 fn every_statement_in_words_is_the_same_in_every_format() {
     for (language, standard) in CASES.map(|(language, has)| (language, has.then(standard))) {

@@ -147,7 +147,8 @@ fn the_deviation_has_an_uncertainty_without_what_is_common() {
     );
 }
 
-/// What both points share cancels in a deviation: judged by U of S, a sensor well within its response was not passed.
+/// Components that both points share cancel in a deviation: judged by U of S, a sensor well within its response was not
+/// passed.
 #[test]
 fn a_response_is_judged_by_the_uncertainty_of_the_deviation() {
     let mut two = record(&[160.0, 1000.0]);

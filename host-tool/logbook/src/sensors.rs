@@ -105,7 +105,7 @@ const RESONANCES_HZ: std::ops::RangeInclusive<f64> = 500.0..=1.0e6;
 const COLUMNS: &str = "serial, manufacturer, model, sensitivity, range_ms2, iepe, \
                        mounting, owner, due_day, teds, tolerance, unit, resonance_hz";
 
-/// What is wrong with `2,5` for a tolerance.
+/// The fault of `2,5` for a tolerance.
 pub const TWICE: &str = "a tolerance states two limits for the same frequencies: a decimal is written 2.5, with a point";
 
 impl Sensor {

@@ -74,7 +74,7 @@ mod tests {
         assert_eq!(signed(&bytes), Ok(Signed::By(public.to_bytes())));
     }
 
-    /// Whatever is altered, with its checksum mended: the signature does not fit, or it is no record.
+    /// A record altered anywhere, with its checksum mended: the signature does not fit, or it is no record.
     #[test]
     fn every_flipped_bit_of_a_signed_record_shows() {
         let bytes = sample::signed(&sample::record(&[160.0]), &SEED);

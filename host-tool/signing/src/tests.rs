@@ -146,7 +146,7 @@ fn what_is_put_into_a_signed_document_is_noticed() {
     }
 }
 
-/// What the laboratory signed is moved to another place, and what is read in its own place is the forger's: of
+/// The part the laboratory signed is moved to another place, and the part read in its own place is the forger's: of
 /// another namespace, so that the canonical form of the one is not that of the other.
 #[test]
 fn nothing_is_wrapped_around_what_was_signed() {

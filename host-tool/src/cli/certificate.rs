@@ -256,7 +256,7 @@ impl CertificateVerb {
         }))
     }
 
-    /// What the certificate of the standard says.
+    /// Takes over the statements of the standard's certificate.
     fn know_standard(&self, context: &Context, standard: Option<&mut Standard>) -> Result<()> {
         match (standard, &self.standard) {
             (Some(standard), table) => {

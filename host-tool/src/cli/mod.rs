@@ -145,7 +145,7 @@ impl Arguments {
         help::described(Self::command())
     }
 
-    /// What its verb works with.
+    /// The context that its verb works with.
     fn context(&self, defaults: Config) -> Context {
         Context::new(&self.global, defaults, Self::described)
     }

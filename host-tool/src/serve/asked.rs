@@ -70,7 +70,7 @@ impl Run {
         Ok(self.frequencies_hz.iter().map(point).collect())
     }
 
-    /// What is measured: that of the last run for a retry, else what is named.
+    /// The measured quantity: that of the last run for a retry, else the one that is named.
     pub(super) fn measured(&self, logbook: &Path, last: Option<&RunView>) -> Result<Measured> {
         match last.filter(|_| self.retry) {
             Some(last) => {

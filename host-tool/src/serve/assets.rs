@@ -120,7 +120,7 @@ mod tests {
         assert!(missing.is_empty(), "de.js lacks {missing:#?}");
     }
 
-    /// What the page says of failures by what the server says; German alone, or English and German.
+    /// Words of the page for failures by the words of the server; German alone, or English and German.
     fn failures() -> BTreeMap<String, Vec<String>> {
         let file = content("/errors.js");
         let (_, table) = file.split_once("failures = ").expect("the table");
@@ -254,7 +254,7 @@ mod tests {
         }
     }
 
-    /// What an instrument declines is held in full beside its numbers, where all of them are at hand.
+    /// The reasons for which an instrument declines are held in full beside its numbers, where all of them are at hand.
     #[test]
     fn every_failure_of_a_link_is_in_the_docs_with_its_way_out() {
         let docs = include_str!("../../../docs/troubleshooting.md");

@@ -427,7 +427,7 @@ async fn run(State(app): State<App>, Json(asked): Json<Run>) -> Result<Response,
     .await
 }
 
-/// What cannot be judged afterwards, by the files of the laboratory, is said before anything moves.
+/// A kind of sensor that the files of the laboratory cannot judge afterwards is named before anything moves.
 fn fitting(options: &Options, measured: Measured) -> Result<Measured, Error> {
     if !measured.kind.is_as_measured() {
         let logbook = Logbook::open_if_there(&options.logbook)?;

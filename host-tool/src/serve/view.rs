@@ -56,7 +56,7 @@ pub struct RunView {
     pub record_id: Option<u32>,
     /// Number of the record in the logbook.
     pub logbook_record: Option<i64>,
-    /// What was measured, and how it is stated.
+    /// The measured quantity, and how it is stated.
     #[serde(skip)]
     pub(super) measured: Measured,
 }

@@ -59,7 +59,7 @@ fn certificate(folder: &Path, path: &str) -> Value {
     serde_json::from_str(&text).expect("JSON")
 }
 
-/// What a verb printed, whatever its exit code.
+/// The document a verb printed, whatever its exit code.
 fn printed(output: &Output) -> Value {
     serde_json::from_slice(&output.stdout).expect("JSON")
 }

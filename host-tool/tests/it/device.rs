@@ -53,7 +53,7 @@ pub(crate) struct Device {
     pub(crate) other_capture_at_look: Option<u16>,
     /// Captures do not grow.
     pub(crate) clock_stands: bool,
-    /// What signs its records, as it says.
+    /// The key that signs its records, as it says.
     pub(crate) key: Option<DeviceKey>,
     /// The lists it keeps, with a hand always on its button.
     pub(crate) lists: StoredLists,
@@ -422,7 +422,7 @@ pub(crate) fn settings() -> Settings {
     }
 }
 
-/// What comes of a point.
+/// Result of a point.
 fn measured(spec: calib_core::point::PointSpec, silent_hz: &[f32]) -> PointResult {
     match silent_hz.contains(&spec.frequency_hz) {
         true => as_stored(&PointResult::refused(spec, None, Reason::DutOpen)),

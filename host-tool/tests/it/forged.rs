@@ -1,4 +1,4 @@
-//! What a record or a device says forges no line anywhere, and no number that is none passes for a result.
+//! The words of a record or a device forge no line anywhere, and no number that is none passes for a result.
 
 use crate::tool;
 use calib_core::point_state::PointState;
@@ -28,7 +28,7 @@ fn stored(folder: &Path, record: &Record) -> PathBuf {
     path
 }
 
-/// What the tool prints about it.
+/// Words of the tool about it.
 fn said(folder: &Path, arguments: &[&str]) -> String {
     let mut tool = tool(folder);
     tool.env("CALIB_LOGBOOK", folder.join("logbook.sqlite"));

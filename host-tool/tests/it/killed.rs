@@ -19,8 +19,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-/// What changes a file, or makes a change stay. That a file is made, or emptied, has happened by the call that follows;
-/// a call that this system has not is passed over.
+/// Calls that change a file, or make a change stay. That a file is made, or emptied, has happened by the call that
+/// follows; a call that this system has not is passed over.
 const CALLS: &str = "?write,?writev,?pwrite64,?pwritev,?pwritev2,?copy_file_range,?sendfile,?truncate,?ftruncate,\
     ?fallocate,?fsync,?fdatasync,?rename,?renameat,?renameat2,?link,?linkat,?symlink,?symlinkat,?unlink,?unlinkat,\
     ?mkdir,?mkdirat,?rmdir,?chmod,?fchmod,?fchmodat,?fchmodat2";
@@ -60,7 +60,7 @@ fn calib(folder: &Path, arguments: &[&str]) -> Output {
     output.expect("calib starts")
 }
 
-/// What becomes of a call.
+/// Fate of a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Fate {
     /// The program is killed when it is about to make it.
@@ -69,7 +69,7 @@ enum Fate {
     Full,
 }
 
-/// What asks a disk for room, or learns that there was none.
+/// Calls that ask a disk for room, or learn that there was none.
 const ROOM: [&str; 8] = [
     "write",
     "pwrite64",
@@ -108,7 +108,7 @@ fn log(folder: &Path) -> PathBuf {
     folder.join("temporary/calls")
 }
 
-/// What a run called, in order: thread, name and arguments.
+/// Calls of a run, in order: thread, name and arguments.
 fn called(folder: &Path) -> Vec<(String, String, String)> {
     let log = std::fs::read_to_string(log(folder)).expect("a log");
     let line = |line: &str| {
@@ -132,8 +132,8 @@ fn calls(folder: &Path) -> BTreeSet<(String, usize)> {
     all
 }
 
-/// What a power cut would take: files that got their name before their content was on disk, and names that were never
-/// put there.
+/// Files that a power cut would take: those that got their name before their content was on disk, and names that were
+/// never put there.
 fn unsynced(folder: &Path) -> Vec<String> {
     let mut dirty: BTreeSet<PathBuf> = BTreeSet::new();
     let (mut wrong, mut named) = (Vec::new(), BTreeMap::new());
@@ -205,7 +205,7 @@ struct Request<'a> {
     arguments: &'a [&'a str],
     /// Folder it begins with.
     from: &'a Path,
-    /// What is there afterwards.
+    /// Looks at what is there afterwards.
     done: &'a dyn Fn(&Path),
 }
 
@@ -249,7 +249,7 @@ fn cut_everywhere(strace: &Path, fate: Fate, request: &Request<'_>) -> usize {
     calls.len()
 }
 
-/// What was kept is there, and what has a name is known.
+/// Kept results are there, and each with a name is known.
 fn is_whole(folder: &Path, what: &str) {
     let path = folder.join("logbook.sqlite");
     if !path.exists() {
@@ -392,7 +392,7 @@ fn a_kill_in_every_write_of_a_signature_leaves_none_that_nobody_knows() {
     assert!(calls > 10, "{calls}");
 }
 
-/// What comes from an instrument: into a file, into the logbook by the place where records wait, and its key.
+/// A record from an instrument: into a file, into the logbook by the place where records wait, and its key.
 #[test]
 fn a_kill_in_every_write_of_what_an_instrument_gives_loses_nothing() {
     let Some(strace) = strace() else { return };

@@ -532,7 +532,7 @@ fn the_commands_take_another_key_with_a_reason_alone() {
     );
 }
 
-/// What ends a line or turns one round is no word of a sensor, and none of a statement.
+/// Signs that end a line or turn one round are no word of a sensor, and none of a statement.
 #[test]
 fn words_that_are_kept_forge_no_line() {
     let folder = tempfile::tempdir().expect("folder");

@@ -68,7 +68,7 @@ fn signed(folder: &Path) -> PathBuf {
     logbook.path().to_owned()
 }
 
-/// What the check says with this key known, and with none.
+/// Findings of the check with this key known, and with none.
 fn said(path: &Path, names: &[&str]) -> Vec<String> {
     let logbook = Logbook::open(path).expect("opens");
     let mut wrong = logbook.inspect().expect("read");
@@ -189,7 +189,7 @@ fn a_journal_written_by_somebody_else_is_told_by_its_signature() {
     }
 }
 
-/// What stays open, and stands in docs/safety.md: who has an older copy of the file, or removes all that was
+/// Open, and stated in docs/safety.md: who has an older copy of the file, or removes all that was
 /// entered since the last signature, shows nothing but its number and day.
 #[test]
 fn what_was_entered_since_the_last_signature_is_counted() {
@@ -253,7 +253,7 @@ fn a_new_key_says_why_and_the_signatures_of_the_old_one_stay() {
     );
 }
 
-/// What is damaged is not signed.
+/// A damaged logbook is not signed.
 #[test]
 fn a_damaged_logbook_is_not_signed() {
     let folder = tempfile::tempdir().expect("folder");

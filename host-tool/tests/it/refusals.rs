@@ -1,4 +1,4 @@
-//! What was refused: said with its remedy, not repeated without need, and measured again alone.
+//! Refused points: said with their remedy, not repeated without need, and measured again alone.
 
 use crate::command_line::{calib, json, serve, text};
 use crate::device::Device;

@@ -303,7 +303,7 @@ fn a_calibration_is_started_watched_by_two_pages_and_certified() {
     assert_eq!(written, json);
 }
 
-/// What was wrong with an issued certificate is put right on the page: looked at, then issued under another number.
+/// A mistake in an issued certificate is put right on the page: looked at, then issued under another number.
 fn amended_once(server: &Server) {
     let issued = |server: &Server| -> Value {
         serde_json::from_str(&server.get("/api/certificates").1).expect("JSON")
@@ -555,7 +555,7 @@ fn a_run_is_followed_to_its_end_after_the_link_broke() {
     assert_eq!(device.lock().expect("device").starts, 1);
 }
 
-/// What a page of another site makes a browser send, with what the browser says of it.
+/// Requests that a page of another site makes a browser send, with the headers the browser adds.
 #[test]
 fn other_sites_reach_nothing() {
     let folder = tempfile::tempdir().expect("folder");

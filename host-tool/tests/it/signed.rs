@@ -224,7 +224,7 @@ fn xmlsec_takes_a_signed_dcc_and_no_altered_one() {
     }
 }
 
-/// What the tool itself says, without another program: of the certificate, of none, of another, and of what was
+/// Findings of the tool itself, without another program: of the certificate, of none, of another, and of one that was
 /// altered, added to, cut off or never signed.
 #[test]
 fn the_tool_says_what_is_proven_and_what_is_not() {
@@ -430,7 +430,7 @@ fn what_verifiers_of_others_print_is_what_the_page_shows() {
     }
 }
 
-/// The same certificate twice is the same files, with a logbook and without, be they there or not; before, an elliptic
+/// A certificate made twice is the same files, with a logbook and without, be they there or not; before, an elliptic
 /// curve's and the time in a PDF made others, which were refused.
 #[test]
 fn the_same_certificate_signed_again_is_the_same_files() {
@@ -497,7 +497,7 @@ fn a_password_is_never_an_argument() {
     assert!(signed.status.success(), "{}", text(&signed.stderr));
 }
 
-/// What `verify` says of a file, with the laboratory's certificate known: exit code, and the one line.
+/// Finding of `verify` about a file, with the laboratory's certificate known: exit code, and the one line.
 fn verified(folder: &Path, file: &Path) -> (Option<i32>, serde_json::Value) {
     let (file, known) = (file.to_str().expect("UTF-8"), key("p256.pem"));
     let known = known.to_str().expect("UTF-8");
@@ -510,7 +510,7 @@ fn verified(folder: &Path, file: &Path) -> (Option<i32>, serde_json::Value) {
     (output.status.code(), said[0].clone())
 }
 
-/// What the check of the logbook remarks, with the laboratory's certificate known.
+/// Remarks of the check of the logbook, with the laboratory's certificate known.
 fn checked(folder: &Path) -> String {
     let known = key("p256.pem");
     let known = known.to_str().expect("UTF-8");

@@ -124,7 +124,7 @@ fn common_rel(sizes: &Sizes, warmer_k: f64) -> f64 {
     all.map(|u| u * u).sum::<f64>().sqrt()
 }
 
-/// What the maker of a rig's exciter would state of its transverse motion.
+/// Transverse motion as the maker of a rig's exciter would state it.
 fn transverse_motion_rel(rig: &Rig) -> [f64; 2] {
     let mut effects = rig.effects.iter();
     let Some(across) = effects.find(|e| e.effect().entry.id == "transverse_motion") else {

@@ -56,8 +56,8 @@ fn what_lies_in_axi_sram_begins_as_zeros() -> Result<(), Fault> {
     Ok(())
 }
 
-/// What runs while samples come in is in ITCM (64 KiB from 0 on), where no fetch waits, and the board has it there:
-/// a name in `memory.x` that fits nothing any more would leave it in flash and show nowhere else.
+/// Code that runs while samples come in is in ITCM (64 KiB from 0 on), where no fetch waits, and the board has it
+/// there: a name in `memory.x` that fits nothing any more would leave it in flash and show nowhere else.
 #[test]
 fn the_hot_path_runs_from_tightly_coupled_memory() -> Result<(), Fault> {
     let firmware = Firmware::shipping()?;

@@ -170,7 +170,7 @@ fn one_loader_starts_the_image_of_every_board() -> Result<(), Fault> {
     Ok(())
 }
 
-/// What the image of a board has in slot A, up to its last word that is not as erased.
+/// The image of a board in slot A, up to its last word that is not as erased.
 fn flashed(board: &str) -> Result<Vec<u8>, Fault> {
     let firmware = image(board)?.on(schematic(board)?);
     let mut device = Emulator::power_on(&firmware, Box::new(ShortedInputs))?;

@@ -93,7 +93,7 @@ fn blinks(defects: Defects) -> u32 {
     defects.iter().map(|defect| defect as u32 + 1).sum()
 }
 
-/// The same as seen, in the time a round takes: half a second for a blink, 1.5 s between defects.
+/// Blinks as they are seen, in the time a round takes: half a second for a blink, 1.5 s between defects.
 fn seen_blinks(bench: &mut Bench, defects: Defects) -> Result<u32, Fault> {
     let round_ms = 500 * blinks(defects) + 1_500 * defects.iter().count() as u32;
     let (mut rises, mut before) = (0, bench.board().leds()?.red);

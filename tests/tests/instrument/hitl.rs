@@ -10,7 +10,7 @@ use std::time::Duration;
 /// Longer than all of them: the erase of a sector takes 1.1 s.
 const LIMIT_S: u32 = 8;
 
-/// What they say on a board with `faults` from its first instruction on.
+/// Their words on a board with `faults` from its first instruction on.
 fn said(faults: &[PartFault]) -> Result<Vec<String>, Fault> {
     let shipping = Firmware::shipping()?;
     let path = shipping.path().with_file_name("hitl").join("calib-hitl");

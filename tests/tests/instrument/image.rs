@@ -1,4 +1,4 @@
-//! What the image says of who built it.
+//! The image says who built it.
 
 use calib_twin::runner::Firmware;
 use std::path::{Path, PathBuf};

@@ -95,7 +95,7 @@ fn cut_as_foreseen(board: &mut Emulator) -> Result<Torn, Fault> {
     Ok(torn)
 }
 
-/// The same for a sector, half way through the erase of a start that mends it.
+/// A sector is left so, too, half way through the erase of a start that mends it.
 #[test]
 fn a_flash_at_a_cut_is_what_the_cut_leaves() -> Result<(), Fault> {
     let mut flash = vec![0xFF; 8 * SECTOR_BYTES as usize];

@@ -18,7 +18,7 @@ fn hum_and_a_shaking_floor_are_stated_refused_or_taken_out() -> Result<(), Fault
     Ok(())
 }
 
-/// What a thousand runs of the core say of U holds for the shipping image as far as both find the same.
+/// U of a thousand runs of the core holds for the shipping image as far as both find the same.
 #[test]
 fn the_core_alone_finds_what_the_image_finds() -> Result<(), Fault> {
     let sizes = Sizes::read()?;

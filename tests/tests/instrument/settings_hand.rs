@@ -6,7 +6,7 @@ use calib_protocol::message::Refusal;
 use calib_tests::bench::{Bench, Fault, point};
 use calib_twin::rig::Rig;
 
-/// What an adversary changes, by name.
+/// Changes by an adversary, by name.
 type Attack = (&'static str, fn(&mut Settings));
 
 const ATTACKS: [Attack; 9] = [

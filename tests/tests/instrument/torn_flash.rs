@@ -22,7 +22,7 @@ const EARLY: f64 = 0.1;
 /// The operation of a write of settings that is met: one in the middle of its words.
 const NTH: u64 = 9;
 
-/// What restarts the board at once.
+/// Cause that restarts the board at once.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Cause {
     /// The rail falls below the level of the detector.

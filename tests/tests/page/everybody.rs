@@ -40,7 +40,7 @@ pub(crate) fn begins_by_keyboard(setup: &Setup, frequencies: &str) -> Result<(),
     page.press("Enter")
 }
 
-/// What can be done with a finished calibration is reached by Tab, and so is STOP.
+/// A finished calibration is worked with by Tab alone, and STOP is reached by it.
 pub(crate) fn ends_by_keyboard(page: &Browser) -> Result<(), Fault> {
     for place in ["[data-format=html]", "[data-format=pdf]", "#stop", "#start"] {
         page.tab_to(place)?;
@@ -99,7 +99,7 @@ fn points_are_cards(page: &Browser) -> Result<(), Fault> {
     Ok(())
 }
 
-/// Whatever is touched is 44 px high at least (WCAG 2.2, 2.5.5).
+/// Controls are 44 px high at least (WCAG 2.2, 2.5.5).
 pub(crate) fn controls_are_large(page: &Browser) -> Result<(), Fault> {
     let small = "[...document.querySelectorAll('button, input, select, summary, a')]
         .filter((one) => one.checkVisibility() && one.getBoundingClientRect().height < 43.9)

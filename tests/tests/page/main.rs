@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-/// What the page asks for: the day of issue and who authorises. The logo is another file.
+/// Particulars the page asks for: the day of issue and who authorises. The logo is another file.
 const LEFT_OUT: [&str; 3] = ["issued", "approved_by", "logo"];
 
 /// A laboratory that states all there is but this.

@@ -1,4 +1,4 @@
-//! What the documents show is what happens.
+//! The documents show things as they happen.
 
 use super::tool;
 use calib_core::point_state::Reason;

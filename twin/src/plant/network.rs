@@ -287,7 +287,7 @@ impl Network {
         }
     }
 
-    /// What a spring of the stated stiffness would have to be stretched to pull as much.
+    /// Stretch at which a spring of the stated stiffness would pull as much.
     ///
     /// # Equation
     /// `c0 y = x - sum q_k`, `q_k' = x_k (c_k y - q_k)`: what yields later follows the force.

@@ -1,4 +1,4 @@
-//! What was heard while the exciter rests: the mains, and how much noise there is.
+//! The mains and the noise, as heard while the exciter rests.
 
 use crate::correlation::{Block, Energy, Outline};
 use crate::hum::{Hum, WATCH_BLOCKS, Watch};

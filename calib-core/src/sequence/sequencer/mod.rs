@@ -106,7 +106,7 @@ struct Bent {
 }
 
 impl Bent {
-    /// What it says of another point: nothing at another level.
+    /// The bend as another point has it: none at another level.
     fn of(&self, spec: &PointSpec) -> Option<Bend> {
         let near = |a: f32, b: f32, factor: f32| a < factor * b && b < factor * a;
         let level = spec.acceleration_rms_ms2;

@@ -38,7 +38,7 @@ impl Creep {
     }
 }
 
-/// What the coil pushes back against, on its feet.
+/// The body that the coil pushes back, on its feet.
 #[derive(Clone, Copy)]
 pub(crate) struct Body {
     pub(crate) mass_kg: f64,

@@ -24,7 +24,7 @@ enum Unit {
     Fixed(&'static str),
     /// That of the sensitivity.
     Stated,
-    /// The same per standard acceleration of free fall.
+    /// The sensitivity per standard acceleration of free fall.
     PerG,
     /// That of the motion, where it is no acceleration.
     Motion,

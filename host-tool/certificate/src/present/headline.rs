@@ -13,7 +13,7 @@ pub struct Headline {
     pub at: String,
     /// Sensitivity with U.
     pub sensitivity: String,
-    /// The same per standard acceleration of free fall; empty where sensors of this kind have none.
+    /// The sensitivity per standard acceleration of free fall; empty where sensors of this kind have none.
     pub per_g: String,
     /// U in %.
     pub uncertainty: String,

@@ -1,4 +1,4 @@
-//! What a device or a file of the same name can do to this computer's disk and time.
+//! A device, or a file of the same name, against this computer's disk and time.
 
 use crate::slow_link::{SlowLink, Way};
 use calib_link::{Client, session};

@@ -1,4 +1,4 @@
-//! What a certificate states of a reference, checked, and as the settings hold it.
+//! Statements of a certificate about a reference, checked, and as the settings hold it.
 
 use crate::input::{HIGHEST_HZ, Source};
 use calib_core::settings::{MAX_REFERENCE_POINTS, ReferenceCalibration, ReferencePoint};

@@ -1,4 +1,4 @@
-//! What is known of a file once it was verified.
+//! Facts about a file once it was verified.
 
 use crate::cli::{Context, time};
 use calib_logbook::Issued;
