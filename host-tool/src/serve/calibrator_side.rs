@@ -252,6 +252,12 @@ impl Worker {
                 None => ControlFlow::Continue(()),
             })
         });
+        let outcome = outcome.and_then(|outcome| {
+            if let Some(waveforms) = eye.rest(client)? {
+                shared.keep_waveforms(waveforms);
+            }
+            Ok(outcome)
+        });
         match outcome {
             Ok(outcome) => self.ended(&outcome),
             Err(error) => self.judge(&error),

@@ -67,7 +67,8 @@ impl Eye {
         })
     }
 
-    /// A request or two more; the waveforms, once all of them is here.
+    /// A request or two more; the waveforms, once all of them is here. Pairs that are taken are read
+    /// to their end, whatever is played meanwhile.
     ///
     /// # Errors
     /// Those of the link. What the device refuses ends the looking, not the run.
@@ -77,11 +78,35 @@ impl Eye {
         status: &Status,
     ) -> Result<Option<Waveforms>> {
         let plays = matches!(status.state, RunState::Settling | RunState::Measuring);
-        if self.refusals > PATIENCE || !plays || status.frequency_hz <= 0.0 {
+        let begins = plays && status.frequency_hz > 0.0 && self.refusals <= PATIENCE;
+        if !begins && !self.is_reading() {
             self.taking = None;
             return Ok(None);
         }
-        match self.step(client, status.frequency_hz) {
+        self.go_on(client, status.frequency_hz)
+    }
+
+    /// The rest of pairs that were taken before a run ended: a short run has waveforms too, over
+    /// however slow a link.
+    ///
+    /// # Errors
+    /// Those of the link.
+    pub(super) fn rest(&mut self, client: &mut Client) -> Result<Option<Waveforms>> {
+        let mut drawn = None;
+        while drawn.is_none() && self.is_reading() {
+            drawn = self.go_on(client, 0.0)?;
+        }
+        Ok(drawn)
+    }
+
+    /// All pairs are taken, and some of them not here.
+    fn is_reading(&self) -> bool {
+        let taking = self.taking.as_ref();
+        taking.is_some_and(|(taking, _)| taking.is_whole())
+    }
+
+    fn go_on(&mut self, client: &mut Client, frequency_hz: f32) -> Result<Option<Waveforms>> {
+        match self.step(client, frequency_hz) {
             Err(error @ Error::Link(_)) => Err(error),
             Err(_) => {
                 self.taking = None;
