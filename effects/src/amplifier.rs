@@ -52,7 +52,7 @@ pub static GAIN_DRIFT: Entry = Entry {
     id: "amplifier_gain_drift",
     stage: Stage::Amplifier,
     formula: "d = 1 + b t, r and z stay (only when the coil voltage is not measured)",
-    parameters: dut::DRIFT.parameters,
+    parameters: &[dut::DRIFT.parameters[0].on_site(-5e-6, 5e-6)],
     plain: "the power amplifier's gain drifts with time",
     columns: &["time_s", "ref_v", "coil_v"],
     confused_with: &["reference_drift", "coil_heating"],

@@ -184,8 +184,8 @@ pub static CROSSTALK: Entry = Entry {
     stage: Stage::Conditioning,
     formula: "r = 1 + j f/fx (capacitive) or a constant complex factor (resistive)",
     parameters: &[
-        Parameter::linear("inverse_fx_s", "s", [-1e-3, 1e-3], 5e-7).on_site(-1e-5, 1e-5),
-        Parameter::linear("in_phase", "1", [-0.5, 0.5], 0.0).on_site(-0.01, 0.01),
+        Parameter::linear("inverse_fx_s", "s", [-1e-3, 1e-3], 5e-7).on_site(-5e-8, 5e-8),
+        Parameter::linear("in_phase", "1", [-0.5, 0.5], 0.0).on_site(-5e-4, 5e-4),
         Parameter::linear("quadrature", "1", [-0.5, 0.5], 0.0).on_site(-0.01, 0.01),
     ],
     plain: "one channel leaks into the other",
@@ -207,9 +207,9 @@ pub static MAINS_PICKUP: Entry = Entry {
         // None is 0, which no factor reaches.
         Parameter::log("pickup_v", "V", [1e-9, 1.0], 1e-3)
             .simulated(0.0, 1.0)
-            .on_site(1e-5, 0.01),
-        Parameter::linear("second_v", "V", [0.0, 1.0], 2e-4).on_site(0.0, 0.005),
-        Parameter::linear("third_v", "V", [0.0, 1.0], 4e-4).on_site(0.0, 0.005),
+            .on_site(3e-5, 1e-3),
+        Parameter::linear("second_v", "V", [0.0, 1.0], 2e-4).on_site(1e-5, 3e-4),
+        Parameter::linear("third_v", "V", [0.0, 1.0], 4e-4).on_site(1e-5, 3e-4),
     ],
     // What the window of the instrument lets through beside the lines.
     only_fitted: &[Parameter::linear("leaking_share", "1", [0.0, 2.0], 0.3)],

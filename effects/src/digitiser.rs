@@ -30,7 +30,7 @@ pub static CHANNEL_SKEW: Entry = Entry {
     id: "channel_skew",
     stage: Stage::Digitiser,
     formula: "r = exp(-j 2 pi f tau)",
-    parameters: &[Parameter::linear("tau_s", "s", [-0.1, 0.1], 1e-6).on_site(-2e-5, 2e-5)],
+    parameters: &[Parameter::linear("tau_s", "s", [-0.1, 0.1], 1e-6).on_site(-3e-7, 3e-7)],
     plain: "the two channels are not sampled at the same instant",
     columns: &["frequency_hz", "dut_deg"],
     confused_with: &[
@@ -54,7 +54,7 @@ pub static SAMPLING_JITTER: Entry = Entry {
         // None is 0, which no factor reaches.
         Parameter::log("sigma_s", "s", [1e-12, 1e-3], 3e-8)
             .simulated(0.0, 1e-3)
-            .on_site(1e-11, 1e-6),
+            .on_site(1e-10, 1e-7),
     ],
     plain: "the instants of sampling scatter",
     columns: &[
@@ -90,7 +90,7 @@ pub static CUBIC: Entry = Entry {
     stage: Stage::Digitiser,
     formula: "gain 1 + 3/4 c3 A^2, H3 = c3 A^2/4 in one channel",
     parameters: &[
-        Parameter::linear("c3_per_v2", "1/V2", [-0.5, 0.5], 1e-4).on_site(-0.03, 0.03),
+        Parameter::linear("c3_per_v2", "1/V2", [-0.5, 0.5], 1e-4).on_site(-1e-4, 1e-4),
         CHANNEL,
     ],
     plain: "a converter is curved, alike to both sides",
@@ -106,7 +106,7 @@ pub static QUADRATIC: Entry = Entry {
     stage: Stage::Digitiser,
     formula: "H2 = c2 A/2 and d.c. = c2 A^2/2 in one channel",
     parameters: &[
-        Parameter::linear("c2_per_v", "1/V", [-0.5, 0.5], 3e-4).on_site(-0.03, 0.03),
+        Parameter::linear("c2_per_v", "1/V", [-0.5, 0.5], 3e-4).on_site(-3e-4, 3e-4),
         CHANNEL,
     ],
     plain: "a converter is curved to one side",
@@ -129,7 +129,7 @@ pub static DEAD_ZONE: Entry = Entry {
     stage: Stage::Digitiser,
     formula: "gain 1 - 4 delta/(pi A), H3 and H5 as 1/A in one channel",
     parameters: &[
-        Parameter::linear("delta_v", "V", [0.0, 1.0], 1e-4).on_site(0.0, 5e-3),
+        Parameter::linear("delta_v", "V", [0.0, 1.0], 1e-4).on_site(0.0, 2e-4),
         CHANNEL,
     ],
     plain: "a converter does not see the smallest signals",
@@ -145,7 +145,7 @@ pub static CLIPPING: Entry = Entry {
     stage: Stage::Digitiser,
     formula: "saturation of one channel at large outputs: odd harmonics and loss of gain",
     parameters: &[
-        Parameter::log("threshold_v", "V", [1e-4, 100.0], 0.6).on_site(0.1, 12.0),
+        Parameter::log("threshold_v", "V", [1e-4, 100.0], 0.6).on_site(0.1, 5.0),
         CHANNEL,
     ],
     plain: "a converter is overdriven at large signals",

@@ -84,7 +84,7 @@ pub static TEMPERATURE: Entry = Entry {
     id: "dut_temperature",
     stage: Stage::Dut,
     formula: "r = 1 + alpha (T - T0)",
-    parameters: &[Parameter::linear("alpha_per_k", "1/K", [-0.05, 0.05], 1e-3).on_site(-3e-3, 3e-3)],
+    parameters: &[Parameter::linear("alpha_per_k", "1/K", [-0.05, 0.05], 1e-3).on_site(-1e-3, 1e-3)],
     plain: "the device's sensitivity changes with temperature",
     columns: &["temperature_c", "ratio"],
     confused_with: &["reference_temperature", "dut_drift"],

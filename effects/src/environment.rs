@@ -14,11 +14,11 @@ pub static AMBIENT_VIBRATION: Entry = Entry {
         // None is 0, which no factor reaches.
         Parameter::log("broadband_ms2", "m/s2", [1e-7, 10.0], 5e-3)
             .simulated(0.0, 10.0)
-            .on_site(1e-4, 0.1),
+            .on_site(1e-3, 0.02),
         Parameter::log("tone_ms2", "m/s2", [1e-7, 10.0], 0.0)
             .simulated(0.0, 10.0)
-            .on_site(1e-4, 0.1),
-        Parameter::linear("tone_hz", "Hz", [0.8, 32.0], 12.0).on_site(1.0, 30.0),
+            .on_site(3e-3, 0.3),
+        Parameter::linear("tone_hz", "Hz", [0.8, 32.0], 12.0).on_site(8.0, 30.0),
     ],
     plain: "the floor vibrates",
     columns: &["ref_noise_v", "dut_noise_v", "ref_v", "coil_v"],

@@ -44,7 +44,7 @@ pub static SUSPENSION_CUBIC: Entry = Entry {
     stage: Stage::Exciter,
     formula: "restoring force k1 x + k3 x^3 about the unloaded position, sag -s M g cos(tilt)/k1: d near f0, H3 as X^2, H2 with the sag, in both channels",
     parameters: &[
-        Parameter::linear("k3_n_per_m3", "N/m3", [-1e14, 1e14], 3e7).on_site(-1e8, 2e9),
+        Parameter::linear("k3_n_per_m3", "N/m3", [-1e14, 1e14], 3e7).on_site(3e6, 2e9),
         // Of the weight, what no levelling takes off the spring.
         Parameter::linear("sag_share", "1", [-3.0, 3.0], 0.0)
             .simulated(0.0, 2.0)
@@ -123,7 +123,7 @@ pub static COULOMB_FRICTION: Entry = Entry {
     id: "coulomb_friction",
     stage: Stage::Exciter,
     formula: "force Fc against the motion, 4 Fc/(pi F): odd harmonics in both channels, as 1/A",
-    parameters: &[Parameter::linear("friction_n", "N", [0.0, 100.0], 0.02).on_site(0.0, 0.2)],
+    parameters: &[Parameter::linear("friction_n", "N", [0.0, 100.0], 0.02).on_site(2e-3, 0.2)],
     plain: "something rubs against the moving part",
     columns: BENT_COLUMNS,
     confused_with: &["mechanical_damping", "suspension_cubic"],

@@ -37,7 +37,10 @@ pub static AMPLIFIER_GAIN: Entry = Entry {
     id: "amplifier_gain",
     stage: Stage::Amplifier,
     formula: "coil voltage times factor from at_s on",
-    parameters: &[AT_S, Parameter::linear("factor", "1", [0.0, 10.0], 2.0)],
+    parameters: &[
+        AT_S,
+        Parameter::linear("factor", "1", [0.0, 10.0], 2.0).on_site(0.1, 10.0),
+    ],
     plain: "the power amplifier has another gain",
     ..Entry::FAULT
 };
@@ -59,7 +62,7 @@ pub static AMPLIFIER_RAIL: Entry = Entry {
     formula: "coil voltage saturates at a threshold from at_s on",
     parameters: &[
         AT_S,
-        Parameter::linear("threshold_v", "V", [0.0, 100.0], 0.5).on_site(0.0, 20.0),
+        Parameter::linear("threshold_v", "V", [0.0, 100.0], 0.5).on_site(0.05, 10.0),
     ],
     plain: "the power amplifier loses its supply",
     ..Entry::FAULT
@@ -87,8 +90,8 @@ pub static CABLE_INTERMITTENT: Entry = Entry {
     parameters: &[
         CHANNEL,
         AT_S,
-        Parameter::linear("rate_hz", "Hz", [0.1, 1e4], 30.0),
-        Parameter::linear("open_fraction", "1", [0.0, 1.0], 0.3),
+        Parameter::linear("rate_hz", "Hz", [0.1, 1e4], 30.0).on_site(0.5, 500.0),
+        Parameter::linear("open_fraction", "1", [0.0, 1.0], 0.3).on_site(1e-3, 0.5),
     ],
     plain: "a cable has a loose contact",
     ..Entry::FAULT
@@ -190,7 +193,7 @@ pub static TRANSDUCER_SATURATED: Entry = Entry {
     parameters: &[
         CHANNEL,
         AT_S,
-        Parameter::linear("threshold_v", "V", [1e-6, 10.0], 0.1),
+        Parameter::linear("threshold_v", "V", [1e-6, 10.0], 0.1).on_site(0.02, 5.0),
     ],
     plain: "a transducer is driven beyond its range",
     ..Entry::FAULT

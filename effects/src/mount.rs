@@ -1,6 +1,7 @@
 //! Between table and transducers.
 
 use super::{Entry, Parameter, Stage};
+use std::f64::consts::PI;
 
 pub(crate) static ENTRIES: &[&Entry] = &[
     &COMPLIANCE,
@@ -20,8 +21,8 @@ pub static COMPLIANCE: Entry = Entry {
     stage: Stage::Mount,
     formula: "r = 1/(1 - (f/fm)^2 + j f/(Q fm)), fm = sqrt(km/payload)/2pi",
     parameters: &[
-        Parameter::log("stiffness_n_per_m", "N/m", [1e5, 1e12], 2e9).on_site(1e7, 4e9),
-        Parameter::log("quality", "1", [1.5, 1000.0], 20.0).on_site(3.0, 50.0),
+        Parameter::log("stiffness_n_per_m", "N/m", [1e5, 1e12], 2e9).on_site(1.3e9, 1.8e10),
+        Parameter::log("quality", "1", [1.5, 1000.0], 20.0).on_site(5.0, 50.0),
     ],
     plain: "the mount gives way like a spring under the device",
     columns: &["frequency_hz", "payload_kg", "ratio", "dut_deg"],
@@ -37,7 +38,7 @@ pub static RELATIVE_MOTION: Entry = Entry {
     stage: Stage::Mount,
     formula: "r = 1 - kappa m f^2",
     parameters: &[
-        Parameter::linear("kappa_per_kg_hz2", "1/(kg Hz2)", [0.0, 1e-4], 5e-9).on_site(0.0, 2e-8),
+        Parameter::linear("kappa_per_kg_hz2", "1/(kg Hz2)", [0.0, 1e-4], 5e-9).on_site(0.0, 2.5e-9),
     ],
     plain: "reference and device do not move quite alike at high frequency",
     columns: &["frequency_hz", "payload_kg", "ratio"],
@@ -54,11 +55,11 @@ pub static TRANSVERSE_MOTION: Entry = Entry {
     stage: Stage::Mount,
     formula: "r = 1 + (t0 + t1 H(f; fr, Q)) cos(rotation - beta), H a second-order rocking mode",
     parameters: &[
-        Parameter::linear("t0", "1", [-0.3, 0.3], 0.004).on_site(-0.02, 0.02),
-        Parameter::linear("beta_rad", "rad", [-10.0, 10.0], 0.5).on_site(-3.2, 3.2),
-        Parameter::linear("t1", "1", [-0.3, 0.3], 0.01).on_site(-0.02, 0.02),
-        Parameter::log("rocking_hz", "Hz", [20.0, 60e3], 2500.0).on_site(300.0, 5e3),
-        Parameter::log("quality", "1", [0.7, 300.0], 12.0).on_site(3.0, 50.0),
+        Parameter::linear("t0", "1", [-0.3, 0.3], 0.004).on_site(-3.5e-3, 3.5e-3),
+        Parameter::linear("beta_rad", "rad", [-10.0, 10.0], 0.5).on_site(-PI, PI),
+        Parameter::linear("t1", "1", [-0.3, 0.3], 0.01).on_site(-1e-3, 1e-3),
+        Parameter::log("rocking_hz", "Hz", [20.0, 60e3], 2500.0).on_site(1200.0, 5000.0),
+        Parameter::log("quality", "1", [0.7, 300.0], 12.0).on_site(5.0, 20.0),
     ],
     plain: "the table also moves sideways, and the device feels it",
     columns: &["frequency_hz", "rotation_deg", "ratio"],
@@ -91,7 +92,7 @@ pub static BASE_STRAIN: Entry = Entry {
     stage: Stage::Mount,
     formula: "r = 1 + s (payload/40 g)/(1 + (f/f1)^2)",
     parameters: &[
-        Parameter::linear("strain", "1", [-0.3, 0.3], 0.01).on_site(-0.03, 0.03),
+        Parameter::linear("strain", "1", [-0.3, 0.3], 0.01).on_site(-1e-3, 1e-3),
         Parameter::log("corner_hz", "Hz", [5.0, 200.0], 30.0).on_site(10.0, 100.0),
     ],
     plain: "bending of the mounting surface strains the device",
@@ -108,7 +109,7 @@ pub static GRAVITY_TILT: Entry = Entry {
     id: "gravity_tilt",
     stage: Stage::Mount,
     formula: "r = 1 + g cos(rotation)/f^2",
-    parameters: &[Parameter::linear("tilt_hz2", "Hz2", [-1e4, 1e4], 0.5).on_site(-2.0, 2.0)],
+    parameters: &[Parameter::linear("tilt_hz2", "Hz2", [-1e4, 1e4], 0.5).on_site(-0.2, 0.2)],
     plain: "the table tilts as it travels, so that gravity leaks into the signal",
     columns: &["frequency_hz", "rotation_deg", "ratio"],
     confused_with: &["reference_highpass", "dut_highpass", "transverse_motion"],
@@ -129,7 +130,7 @@ pub static LOOSE_MOUNT: Entry = Entry {
         // None is 0, which no factor reaches.
         Parameter::log("impact_noise", "1", [1e-7, 3.0], 0.01)
             .simulated(0.0, 3.0)
-            .on_site(1e-4, 0.1),
+            .on_site(1e-3, 0.1),
         Parameter::switch("upper", "0 or 1", 0.0),
         Parameter::switch("weight", "0 or 1", 0.0),
     ],

@@ -28,10 +28,11 @@ pub struct Parameter {
     pub scale: Scale,
     /// Smallest and largest value that a rig file may state.
     pub simulated: [f64; 2],
-    /// A value that is usual in the field and clearly seen in a good measurement.
+    /// A value that a good measurement shows clearly. It may be beyond the site size.
     pub usual: f64,
-    /// Site size: the range that is plausible on site. All that can be simulated where that
-    /// depends on the unit of a record, or is a time or a choice.
+    /// Site size: the range that is plausible on the site of a calibrator, with its reason in
+    /// `tests/reality/sizes.toml` where it is drawn. All that can be simulated where that depends on
+    /// the unit of a record, or is a time or a choice.
     pub site: [f64; 2],
     /// Whether it chooses between two ways, 0 and 1.
     pub is_switch: bool,

@@ -1,20 +1,22 @@
 //! The sizes of what goes wrong on a site, and drawing from them: `reality/sizes.toml`.
 
+use calib_effects::{Entry, Of, Parameter, Scale};
 use rand_chacha::ChaCha12Rng;
 use rand_chacha::rand_core::Rng as _;
 use serde::Deserialize;
+use serde::de::Error as _;
 
 /// The file; what it says is fixed with the program.
 const FILE: &str = include_str!("../../reality/sizes.toml");
 
 /// Everything that is drawn.
 #[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Sizes {
+#[serde(deny_unknown_fields, bound(deserialize = "L: Deserialize<'de>"))]
+pub struct Sizes<L = Law> {
     /// Conditions of every draw.
     pub condition: Vec<Condition>,
     /// Parameters of the effects and faults.
-    pub size: Vec<Size>,
+    pub size: Vec<Size<L>>,
     /// Effects that are not drawn.
     pub left_out: Vec<LeftOut>,
 }
@@ -34,13 +36,13 @@ pub struct Condition {
 /// A parameter of an effect or a fault, or `warmer_k` of the surroundings.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Size {
+pub struct Size<L = Law> {
     /// Name of the effect.
     pub effect: String,
     /// Name of its parameter.
     pub parameter: String,
     /// How large it is.
-    pub law: Law,
+    pub law: L,
     /// Source or reason.
     pub why: String,
 }
@@ -67,6 +69,23 @@ pub enum Law {
     SignedLog([f64; 2]),
     /// One of these.
     OneOf(Vec<f64>),
+}
+
+/// Law of a size as the file states it.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(untagged)]
+enum Stated {
+    /// Over the site size of the parameter.
+    OnSite(OnSite),
+    /// With values of its own: of a time, a choice, or what is no parameter.
+    Own(Law),
+}
+
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum OnSite {
+    Even,
+    Log,
 }
 
 /// A number from 0 to 1, 1 excluded.
@@ -105,13 +124,90 @@ impl Law {
     }
 }
 
+/// Effect or fault of a calibrator.
+fn entry(effect: &str) -> Option<&'static Entry> {
+    let kinds = [Of::Calibrator, Of::Fault].into_iter();
+    kinds
+        .filter_map(|of| calib_effects::named(of, effect))
+        .next()
+}
+
+impl Stated {
+    fn of(self, effect: &str, parameter: &str) -> Result<Law, toml::de::Error> {
+        let shape = match self {
+            Self::Own(law) => return Ok(law),
+            Self::OnSite(shape) => shape,
+        };
+        let known = entry(effect).and_then(|entry| entry.parameter(parameter));
+        let Some(Parameter { site, .. }) = known else {
+            let unknown = format!("{effect} has no parameter {parameter}");
+            return Err(toml::de::Error::custom(unknown));
+        };
+        Ok(match shape {
+            OnSite::Even => Law::Even(*site),
+            OnSite::Log => Law::Log(*site),
+        })
+    }
+}
+
+/// Sizes of effects and faults that the file does not name: each parameter with a site size over all of it,
+/// in the way that a fit moves it. A new effect is drawn from the day it is there.
+fn unsaid(stated: &Sizes<Stated>) -> impl Iterator<Item = Size> + use<> {
+    let drawn = stated.size.iter().map(|size| &size.effect);
+    let left_out = stated.left_out.iter().flat_map(|out| &out.effects);
+    let said: Vec<String> = drawn.chain(left_out).cloned().collect();
+    let kinds = [Of::Calibrator, Of::Fault].into_iter();
+    let entries = kinds.flat_map(calib_effects::entries);
+    let unsaid = entries.filter(move |entry| said.iter().all(|name| name != entry.id));
+    unsaid.flat_map(|entry| entry.parameters.iter().map(|one| usual(entry, one)))
+}
+
+fn usual(entry: &Entry, parameter: &Parameter) -> Size {
+    let law = match parameter.scale {
+        _ if parameter.is_switch => Law::OneOf(parameter.site.to_vec()),
+        Scale::Linear => Law::Even(parameter.site),
+        Scale::Log => Law::Log(parameter.site),
+    };
+    Size {
+        effect: entry.id.to_owned(),
+        parameter: parameter.name.to_owned(),
+        law,
+        why: "site size of the vocabulary".to_owned(),
+    }
+}
+
 impl Sizes {
     /// The sizes of the file.
     ///
     /// # Errors
     /// An error that says what is wrong with the file, and where.
     pub fn read() -> Result<Self, toml::de::Error> {
-        toml::from_str(FILE)
+        Self::of(FILE)
+    }
+
+    fn of(file: &str) -> Result<Self, toml::de::Error> {
+        let stated: Sizes<Stated> = toml::from_str(file)?;
+        let unsaid = unsaid(&stated);
+        let sizes = stated.size.into_iter().map(|size| {
+            let law = size.law.of(&size.effect, &size.parameter)?;
+            let Size {
+                effect,
+                parameter,
+                why,
+                ..
+            } = size;
+            Ok(Size {
+                effect,
+                parameter,
+                law,
+                why,
+            })
+        });
+        Ok(Self {
+            condition: stated.condition,
+            size: sizes.chain(unsaid.map(Ok)).collect::<Result<_, _>>()?,
+            left_out: stated.left_out,
+        })
     }
 
     /// Names of the effects that are drawn, in the order of the file.
@@ -148,7 +244,6 @@ impl Sizes {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use calib_effects::Of;
 
     /// Of 100 000 draws; their mean square is known to 0.4 %, of the widest law to 1 %.
     #[test]
@@ -192,11 +287,35 @@ mod tests {
     }
 
     #[test]
-    fn every_size_is_of_a_parameter_and_within_what_the_library_simulates() {
+    fn an_effect_that_the_file_does_not_name_is_drawn_over_its_site_size() {
+        let file = FILE.replace("\"back_emf\"", "\"payload_mass\"");
+        assert_ne!(file, FILE);
+        let sizes = Sizes::of(&file).map(|sizes| sizes.size);
+        // Another effect has no such parameter, and is named.
+        let problem = sizes.expect_err("payload_mass has no beta").to_string();
+        assert!(
+            problem.contains("payload_mass has no parameter beta"),
+            "{problem}"
+        );
+        let entries = FILE
+            .split("\n\n")
+            .filter(|part| !part.contains("\"back_emf\""));
+        let file = entries.collect::<Vec<_>>().join("\n\n");
+        let sizes = Sizes::of(&file).expect("reads").size;
+        let own: Vec<&Size> = sizes.iter().filter(|s| s.effect == "back_emf").collect();
+        let [size] = own[..] else { panic!("{own:?}") };
+        let site = entry("back_emf").and_then(|entry| entry.parameter("beta"));
+        let site = site.expect("an entry").site;
+        assert!(
+            matches!(size.law, Law::Even(ends) if ends == site),
+            "{size:?}"
+        );
+    }
+
+    #[test]
+    fn every_size_is_of_a_parameter_and_within_its_site_size() {
         for size in Sizes::read().expect("reads").size {
-            let named = |of| calib_effects::named(of, &size.effect);
-            let entry = named(Of::Calibrator).or_else(|| named(Of::Fault));
-            let entry = entry.unwrap_or_else(|| panic!("{}", size.effect));
+            let entry = entry(&size.effect).unwrap_or_else(|| panic!("{}", size.effect));
             if size.parameter == "warmer_k" {
                 continue;
             }
@@ -207,7 +326,8 @@ mod tests {
                 Law::SignedLog([from, to]) => vec![-to, -from, *from, *to],
                 Law::OneOf(values) => values.clone(),
             };
-            let [lowest, highest] = parameter.simulated;
+            // A size of its own may be wider only where the vocabulary has all there is.
+            let [lowest, highest] = parameter.site;
             assert!(
                 ends.iter().all(|end| (lowest..=highest).contains(end)),
                 "{size:?}"
