@@ -204,15 +204,16 @@ impl Observable {
 
 /// One value for each observable.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Table<T>([T; Observable::ALL.len()]);
+pub struct Table<T>([T; Observable::ALL.len()]);
 
 impl<T> Table<T> {
-    pub(crate) fn from_fn(of: impl FnMut(Observable) -> T) -> Self {
+    /// The value that `of` gives each.
+    pub fn from_fn(of: impl FnMut(Observable) -> T) -> Self {
         Self(Observable::ALL.map(of))
     }
 
     /// Observables with their values, in the order of the data.
-    pub(crate) fn iter(&self) -> impl Iterator<Item = (Observable, &T)> {
+    pub fn iter(&self) -> impl Iterator<Item = (Observable, &T)> {
         Observable::ALL.iter().copied().zip(&self.0)
     }
 
@@ -222,7 +223,8 @@ impl<T> Table<T> {
 }
 
 impl<T: Copy> Table<T> {
-    pub(crate) const fn filled(value: T) -> Self {
+    /// One value for all.
+    pub const fn filled(value: T) -> Self {
         Self([value; Observable::ALL.len()])
     }
 }

@@ -8,9 +8,6 @@ use crate::answer::{Cause, Verdict};
 use crate::estimation::gap::Gap;
 use crate::thresholds::{self, Outside};
 
-/// Smallest p-value that says more than a larger one.
-const LEAST_P_VALUE: f64 = 1e-16;
-
 /// Gives causes outside the library their share of the probability, and takes it from those listed.
 /// A cause whose size may be zero, or with a value at its bound, gives up more.
 pub(crate) fn share_with_others(
@@ -37,7 +34,8 @@ pub(crate) fn share_with_others(
 /// Probability of a cause outside the library by what the best set leaves.
 fn probability(p_value: f64, gap: &Gap, outside: &Outside) -> f64 {
     let left = p_value < thresholds::UNEXPLAINED_P_VALUE;
-    let decades = -p_value.max(LEAST_P_VALUE).log10() + thresholds::UNEXPLAINED_P_VALUE.log10();
+    let decades =
+        -p_value.max(thresholds::LEAST_P_VALUE).log10() + thresholds::UNEXPLAINED_P_VALUE.log10();
     let open = 1.0 - gap.closed.unwrap_or(0.0).clamp(0.0, 1.0);
     let log_odds = if left {
         outside.left

@@ -22,14 +22,14 @@ pub(crate) const EXPLAINED_PROBABILITY: f64 = 0.8;
 /// Probability above which a set is possible beside the leading one. No effect at all is such a
 /// set: where it is possible none is claimed. x0.5: 2 of 346 sets list other pairs that are
 /// hardly told apart; x2: 4.
-pub(crate) const POSSIBLE_PROBABILITY: f64 = 0.05;
+pub const POSSIBLE_PROBABILITY: f64 = 0.05;
 /// Smallest probability that is listed, or that a plan compares. x2: 15 of 346 sets list fewer
 /// causes.
 pub(crate) const LISTED_PROBABILITY: f64 = 0.01;
 /// Share of an effect that its partner may leave: two causes of their own do not have sizes
 /// matched to a tenth. x0.5, x2: 0 of 96.
 pub(crate) const CANCELLED_SHARE: f64 = 0.1;
-/// Size, in standard deviations of all data, from which such a match is no accident of noise.
+/// Size, in standard deviations of all data, from which such a match is no accident of noise: 2e-9.
 pub(crate) const CANCELLED_SIGMA: f64 = 6.0;
 /// Standard deviations of chi-square above its mean from which a group of observables shows a gap
 /// by itself: 3e-5 a group, of seven.
@@ -45,12 +45,15 @@ pub(crate) const CAUSE_SHARE: f64 = 0.05;
 pub(crate) const NO_CORRECTION: f64 = 10.0;
 /// Root mean square of error over uncertainty on held-out rows above which no set explains. x0.5: 30 of 96; x2: 0.
 pub(crate) const EXPLAINED_CHI: f64 = 2.0;
-/// Share of the gap that a set must close on held-out rows to explain part of it.
+/// Share of the gap that a set must close on held-out rows to explain part of it. A choice: more than it leaves.
 pub(crate) const HALF: f64 = 0.5;
 /// Share that it must close of every level and band that shows the gap. x0.5, x2: 0 of 96.
 pub(crate) const EVERYWHERE: f64 = 0.1;
 /// Share of the squared gap up to which a level or band may do as it likes: a tenth in amplitude. x0.5, x2: 0 of 96.
 pub(crate) const LITTLE: f64 = 0.01;
+/// Share of the gap that a cause closes on levels and bands that were left out, from which a report says
+/// that it holds there. A choice: [`LITTLE`] in squares is a tenth in amplitude.
+pub(crate) const HOLDS: f64 = 0.9;
 /// Probability below which a cause outside the library is twice as probable as the one that leads. Of one that leaves
 /// noise two doubts, or one beside others, lead there. x0.5, x2: 1 of 96.
 pub(crate) const ONE_OF_THREE: f64 = 1.0 / 3.0;
@@ -105,6 +108,9 @@ pub(crate) const OUTSIDE_OF_RECORDS: Outside = Outside {
     by_open: 1.5,
     least_open: 0.015,
 };
+/// Smallest p-value that says more of a cause outside the library than a larger one: what is far in
+/// a tail depends on its form.
+pub(crate) const LEAST_P_VALUE: f64 = 1e-16;
 /// Share of its probability that a cause keeps whose size may be zero, or with a value at its bound. x0.5, x2: 1 of 96.
 pub(crate) const DOUBTED: f64 = 0.5;
 
@@ -139,7 +145,7 @@ pub(crate) const COMPETING: f64 = 14.0;
 /// Difference in score, on part of the rows, above which a set is not tried on all of them. x0.5, x2: 0 of 104.
 pub(crate) const SEEDED: f64 = 60.0;
 /// Objective above the best set of a size from which a set is not refined further. x0.5, x2: 0 of
-/// 23 sets change. x0.5, x2: 0 of 104.
+/// 104.
 pub(crate) const OUT_OF_REACH: f64 = 60.0;
 /// [`OUT_OF_REACH`] as a share of the best set's gain, as long as that leaves more than noise. x0.5: 0 of 104; x2: 2.
 pub(crate) const REACH_SHARE: f64 = 0.02;
@@ -171,9 +177,9 @@ pub(crate) const FEWEST_PER_EFFECT: usize = 6;
 pub(crate) const RENEWAL: usize = 4;
 /// Steps that are enough to see whether a fit is within reach. 2: 3 of 104; 10: 1.
 pub(crate) const GLANCE: usize = 5;
-/// Sets that are compared when rows are drawn again.
+/// Sets that are compared when rows are drawn again. A choice: those behind have next to no probability.
 pub(crate) const MOST_COMPARED: usize = 12;
-/// Causes that are listed at most.
+/// Causes that are listed at most. A choice: nobody reads more.
 pub(crate) const MOST_CAUSES: usize = 12;
 
 // What is scored on rows that took no part?
@@ -275,6 +281,13 @@ pub(crate) const MOST_OPEN: f64 = 0.5;
 pub(crate) const OPEN_FACTOR: f64 = 3.0;
 /// Effective number of open data that a test of them needs. x0.5, x2: 0 of 96.
 pub(crate) const FEWEST_OPEN: f64 = 12.0;
+/// Least square of a deviate in the scatter of a pattern of open data: few small ones are no proof of a
+/// smaller scatter. A choice.
+pub(crate) const LEAST_SQUARE: f64 = 0.25;
+/// Factor on the deviate of such a pattern: its scatter is that of the same data. A choice.
+pub(crate) const OWN_SCATTER: f64 = 0.9;
+/// [`LEAST_SQUARE`] of deviates that are cut at 1. A choice.
+pub(crate) const LEAST_SIGN: f64 = 0.1;
 /// Relative difference of levels, or frequencies, that were meant to be the same. x0.5, x2: 0 of 96.
 pub(crate) const LEVELS_ALIKE: f64 = 0.005;
 /// Ratio of the highest to the lowest level from which levels vary. x0.5, x2: 0 of 96.
@@ -333,9 +346,10 @@ pub(crate) const AT_REST: f64 = 0.1;
 /// Relative size below which what a nonlinearity does to arriving harmonics is left out: a
 /// thousandth of any stated uncertainty.
 pub(crate) const NEGLIGIBLE: f64 = 1e-7;
-/// Power over that of the fundamental below which no response is asked.
+/// Power over that of the fundamental below which no response is asked: 1e-6 in amplitude, below any stated uncertainty.
 pub(crate) const UNSEEN: f64 = 1e-12;
-/// Correction of the motion, relative to its fundamental, at which a harmonic balance holds.
+/// Correction of the motion, relative to its fundamental, at which a harmonic balance holds: a hundredth of
+/// [`NEGLIGIBLE`].
 pub(crate) const BALANCED: f64 = 1e-9;
 /// Tolerance relative to the first correction, where only a slope is wanted.
 pub(crate) const BALANCED_SLOPE: f64 = 1e-3;
@@ -348,6 +362,12 @@ pub(crate) const NUISANCE_STEP: f64 = 0.01;
 /// nothing: above the rounding of sums over 1e4 data.
 pub(crate) const TAKEN_OVER: f64 = 1e-11;
 
+/// Relative uncertainty of a nominal value from which its change is a factor e^x: 1 + x would reach zero
+/// within [`NOMINAL_STRETCHED`] of them.
+pub(crate) const LARGE_U: f64 = 0.3;
+/// Least factor on a value of a smaller one, which no fit comes near.
+pub(crate) const LEAST_FACTOR: f64 = 0.02;
+
 // What is a usable input?
 
 /// Relative distance at which a ratio and the quotient of its voltages are two different things.
@@ -355,7 +375,7 @@ pub(crate) const RATIO_AGREES: f64 = 0.01;
 /// Factor by which the stated level may differ, in the median, from the reference output over the
 /// nominal sensitivity: the two are the same by definition of the level.
 pub(crate) const LEVEL_AGREES: f64 = 2.0;
-/// Uncertainty over value beyond which a statement says nothing.
+/// Uncertainty over value beyond which a statement says nothing. A choice.
 pub(crate) const STATES_NOTHING: f64 = 10.0;
 
 // Which term does a record show?
@@ -389,9 +409,11 @@ pub(crate) const POOR: f64 = 0.03;
 pub(crate) const QUIET: f64 = 0.1;
 /// Share of the squared output below which a first linear fit must stay to be begun from. x0.5, x2: 0 of 32.
 pub(crate) const DESCRIBES_LITTLE: f64 = 0.3;
+/// Linear oscillators that are followed where no resonance is known, the best of a grid.
+pub(crate) const BEST_STARTS: usize = 3;
 /// Trace of one parity over that of the other below which the other alone is said. x0.5, x2: 0 of 32.
 pub(crate) const OTHER_PARITY: f64 = 0.1;
-/// Samples at the start that only settle the state.
+/// Samples at the start that only settle the state. A choice: a few periods of a resonance.
 pub(crate) const SETTLING: usize = 50;
 /// Longest part of a record that is fitted, in samples. 10000, 40000: 0 of 32.
 pub(crate) const MOST_FITTED: usize = 20_000;
@@ -411,7 +433,7 @@ pub(crate) const STEPS_TO_THE_END: usize = 40;
 pub(crate) const STEP_WORTH: f64 = 1e-6;
 /// Gain of points below which a fit stops, over what is left beyond noise: nothing shows it there.
 pub(crate) const STEP_SHARE: f64 = 1e-4;
-/// Damping of a second mode where a fit starts. x0.5: 1 of 11 records changes. x0.5, x2: 1 of 32.
+/// Damping of a second mode where a fit starts. x0.5, x2: 1 of 32.
 pub(crate) const MODE_DAMPING: f64 = 0.05;
 /// Times a record is longer than the memory of a high-pass from which what it held back before is
 /// fitted; left free in a slower one it would be an offset of the output, or a trend. x0.5, x2: 0 of 32.
@@ -428,14 +450,19 @@ pub(crate) const LOWEST_LN: f64 = 20.0;
 
 /// Separation, in standard deviations, at which two causes count as told apart: 6e-7.
 pub const ENOUGH_SIGMA: f64 = 5.0;
+/// Sets of a dataset that a plan compares. A choice: fifteen pairs.
+pub(crate) const MOST_SETS: usize = 6;
 /// Worth of a point that only pins the refitted parameters down, in squared standard deviations.
+/// A choice: less than any point that separates.
 pub(crate) const PREPARES: f64 = 0.1;
-/// Logarithm of the ratio of variances beyond which more is no better.
+/// Logarithm of the ratio of variances beyond which more is no better. A choice: a
+/// twelfth of the standard deviation.
 pub(crate) const MOST_TAUGHT: f64 = 5.0;
-/// Gain of squared separation below which a point is not worth its time.
+/// Gain of squared separation below which a point is not worth its time. A choice: half a standard
+/// deviation.
 pub(crate) const WORTH_A_POINT: f64 = 0.25;
 /// Size of an effect that is to be told from others, in standard deviations over all points in
-/// reach.
+/// reach. A choice: what a diagnosis names surely.
 pub(crate) const USUAL_SIGMA: f64 = 100.0;
 /// Ridge, relative, that keeps parameters that nothing has taught anything about.
 pub(crate) const UNTAUGHT_RIDGE: f64 = 1e-8;
@@ -443,12 +470,13 @@ pub(crate) const UNTAUGHT_RIDGE: f64 = 1e-8;
 pub(crate) const POINTS_PER_DECADE: f64 = 10.0;
 /// Highest frequency over sample rate that is proposed: what anti-aliasing filters usually pass.
 pub(crate) const BELOW_NYQUIST: f64 = 0.39;
-/// Travel and coil voltage proposed, over the largest that the dataset has seen.
+/// Travel and coil voltage proposed, over the largest that the dataset has seen. A choice:
+/// a tenth more is no danger to what held the most.
 pub(crate) const BEYOND_SEEN: f64 = 1.1;
 /// Effort of a point that needs other hands than those on the generator, over one that does not.
 /// A choice.
 pub(crate) const EFFORT_OF_HANDS: f64 = 1.5;
 /// Effort of a point with sensors the dataset does not have. A choice.
 pub(crate) const EFFORT_OF_SENSORS: f64 = 2.0;
-/// How much later a point is taken that shows what drifts, in s.
+/// How much later a point is taken that shows what drifts, in s. A choice: two hours.
 pub(crate) const LATER_S: f64 = 7200.0;

@@ -1,21 +1,15 @@
 //! Two measurements of one design, value by value, in standard uncertainties.
 
+use calib_gap::{Channel, Observable, Table};
 use calib_twin::dataset::{Harmonic, Point};
 use std::collections::HashMap;
 
-/// Place of the ratio among the values of a row.
-pub(super) const RATIO: usize = 0;
-/// Place of the reference over the coil voltage.
-pub(super) const DRIVE: usize = 1;
-/// Values of a row: two responses, a current, their three angles, two noises, two means, and real
-/// and imaginary parts of four harmonics of each channel.
-pub(super) const VALUES: usize = 10 + 16;
 /// Relative standard uncertainty of a noise column.
 const NOISE_SCATTER: f64 = 0.01;
 
 /// `of` less `from`, over the standard uncertainties of `from`, row by row of `from`; `None` where
 /// one of them lacks the value. Amplitudes by their logarithms.
-pub(super) fn differences(from: &[Point], of: &[Point]) -> Vec<[Option<f64>; VALUES]> {
+pub(super) fn differences(from: &[Point], of: &[Point]) -> Vec<Table<Option<f64>>> {
     let key = |point: &Point| {
         let time_s = point.time_s.unwrap_or(0.0);
         (time_s.to_bits(), point.frequency_hz.to_bits())
@@ -23,48 +17,50 @@ pub(super) fn differences(from: &[Point], of: &[Point]) -> Vec<[Option<f64>; VAL
     let there: HashMap<_, _> = of.iter().map(|point| (key(point), point)).collect();
     let row = |point: &Point| match there.get(&key(point)) {
         Some(other) => of_row(point, other),
-        None => [None; VALUES],
+        None => Table::filled(None),
     };
     from.iter().map(row).collect()
 }
 
-fn of_row(from: &Point, of: &Point) -> [Option<f64>; VALUES] {
+fn of_row(from: &Point, of: &Point) -> Table<Option<f64>> {
     let ratio = |p: &Point| p.ratio.or_else(|| Some(p.dut_v? / p.ref_v?));
     let drive = |p: &Point| Some(p.ref_v? / p.coil_v?);
     let current = |p: &Point| Some(p.coil_a? / p.coil_v?);
     let in_deg = |u: Option<f64>| u.map(f64::to_degrees);
+    let (u_drive_deg, u_current_deg) = (in_deg(from.u_drive), in_deg(from.u_current));
     let scatter = Some(NOISE_SCATTER);
-    let mut values = [None; VALUES];
-    values[..10].copy_from_slice(&[
-        relative(ratio(from), ratio(of), from.u_ratio),
-        relative(drive(from), drive(of), from.u_drive),
-        relative(current(from), current(of), from.u_current),
-        angle(from.dut_deg, of.dut_deg, from.u_phase_deg),
-        angle(from.ref_deg, of.ref_deg, in_deg(from.u_drive)),
-        angle(from.coil_a_deg, of.coil_a_deg, in_deg(from.u_current)),
-        relative(from.ref_noise_v, of.ref_noise_v, scatter),
-        relative(from.dut_noise_v, of.dut_noise_v, scatter),
-        absolute(from.ref_dc_v, of.ref_dc_v, from.u_dc_v),
-        absolute(from.dut_dc_v, of.dut_dc_v, from.u_dc_v),
-    ]);
-    let channels = [
-        (from.ref_harmonics, of.ref_harmonics),
-        (from.dut_harmonics, of.dut_harmonics),
-    ];
-    for ((from_all, of_all), values) in channels.into_iter().zip(values[10..].chunks_mut(8)) {
-        let pairs = from_all.iter().flatten().zip(of_all.iter().flatten());
-        for ((a, b), pair) in pairs.zip(values.chunks_mut(2)) {
-            let (from_parts, of_parts) = (parts(a), parts(b));
-            for (part, value) in pair.iter_mut().enumerate() {
-                *value = absolute(
-                    Some(from_parts[part]),
-                    Some(of_parts[part]),
-                    from.u_harmonic,
-                );
-            }
+    let harmonic = |channel: Channel, observable: Observable| {
+        let all = |p: &Point| match channel {
+            Channel::Reference => p.ref_harmonics,
+            Channel::Dut => p.dut_harmonics,
+        };
+        let pairs = Observable::harmonics(channel).into_iter().zip(all(from)?);
+        let mut pairs = pairs.zip(all(of)?);
+        pairs.find_map(|((observables, a), b)| {
+            let part = observables.iter().position(|one| *one == observable)?;
+            absolute(
+                Some(parts(&a)[part]),
+                Some(parts(&b)[part]),
+                from.u_harmonic,
+            )
+        })
+    };
+    Table::from_fn(|observable| match observable {
+        Observable::Ratio => relative(ratio(from), ratio(of), from.u_ratio),
+        Observable::RatioPhase => angle(from.dut_deg, of.dut_deg, from.u_phase_deg),
+        Observable::Drive => relative(drive(from), drive(of), from.u_drive),
+        Observable::DrivePhase => angle(from.ref_deg, of.ref_deg, u_drive_deg),
+        Observable::Current => relative(current(from), current(of), from.u_current),
+        Observable::CurrentPhase => angle(from.coil_a_deg, of.coil_a_deg, u_current_deg),
+        Observable::RefDc => absolute(from.ref_dc_v, of.ref_dc_v, from.u_dc_v),
+        Observable::DutDc => absolute(from.dut_dc_v, of.dut_dc_v, from.u_dc_v),
+        Observable::RefNoise => relative(from.ref_noise_v, of.ref_noise_v, scatter),
+        Observable::DutNoise => relative(from.dut_noise_v, of.dut_noise_v, scatter),
+        of_harmonics => {
+            let mut channels = Channel::BOTH.into_iter();
+            channels.find_map(|channel| harmonic(channel, of_harmonics))
         }
-    }
-    values
+    })
 }
 
 /// Real and imaginary part.
@@ -118,19 +114,25 @@ mod tests {
             panic!("one row")
         };
         // ln(1/0.998) = 2.002e-3; 0.3 degrees across the cut; 3e-4.
-        let expected = [(RATIO, 2.002), (3, 3.0), (18, 3.0), (19, 0.0)];
+        let expected = [
+            (Observable::Ratio, 2.002),
+            (Observable::RatioPhase, 3.0),
+            (Observable::DutH2Real, 3.0),
+            (Observable::DutH2Imaginary, 0.0),
+        ];
         for (at, value) in expected {
             assert!(
                 (row[at].expect("measured") - value).abs() < 1e-3,
-                "{at}: {:?}",
+                "{at:?}: {:?}",
                 row[at]
             );
         }
-        assert_eq!(row[DRIVE], None);
+        assert_eq!(row[Observable::Drive], None);
+        assert_eq!(row[Observable::RefH2Real], None);
         let elsewhere = Point {
             time_s: Some(4.0),
             ..from.clone()
         };
-        assert_eq!(differences(&[from], &[elsewhere]), [[None; VALUES]]);
+        assert_eq!(differences(&[from], &[elsewhere]), [Table::filled(None)]);
     }
 }

@@ -4,7 +4,8 @@
 //! gap is what is left of it when nominal values, mounting and the measurand have been fitted: the
 //! root of the least sum of squares, priors included, over the standard uncertainties of all values.
 
-use super::differences::{DRIVE, RATIO, VALUES, differences};
+use super::differences::differences;
+use calib_gap::{Observable, Table};
 use calib_twin::dataset::{Generated, Nominal, Options, Point, Quantity, Setting, generate};
 use nalgebra::{DMatrix, DVector};
 use std::cell::OnceCell;
@@ -76,10 +77,10 @@ impl<'a> Yardstick<'a> {
     pub(super) fn sigma(&self, points: &[Point]) -> f64 {
         let gap = differences(&self.bare.points, points);
         let shown = DVector::from_iterator(
-            gap.len() * VALUES,
+            gap.len() * Observable::ALL.len(),
             gap.iter()
-                .flatten()
-                .map(|v| f64::from(u8::from(v.is_some()))),
+                .flat_map(Table::iter)
+                .map(|(_, v)| f64::from(u8::from(v.is_some()))),
         );
         let gap = vector(&gap);
         if gap.norm() < NOTHING {
@@ -188,10 +189,10 @@ fn gains(nominal: &Nominal, points: &[Point]) -> DMatrix<f64> {
 /// Effect of relative changes of ratio and drive in a run, or in all.
 fn gain(points: &[Point], run: Option<usize>, ratio: f64, drive: f64) -> DVector<f64> {
     let row = |point: &Point| {
-        let mut values = [None; VALUES];
+        let mut values = Table::filled(None);
         if run.is_none_or(|run| point.run == run) {
-            values[RATIO] = point.u_ratio.map(|u| ratio / u);
-            values[DRIVE] = point.u_drive.map(|u| drive / u);
+            values[Observable::Ratio] = point.u_ratio.map(|u| ratio / u);
+            values[Observable::Drive] = point.u_drive.map(|u| drive / u);
         }
         values
     };
@@ -199,9 +200,10 @@ fn gain(points: &[Point], run: Option<usize>, ratio: f64, drive: f64) -> DVector
 }
 
 /// All values one below the other; zero where there is none.
-fn vector(rows: &[[Option<f64>; VALUES]]) -> DVector<f64> {
-    let values = rows.iter().flatten().map(|value| value.unwrap_or(0.0));
-    DVector::from_iterator(rows.len() * VALUES, values)
+fn vector(rows: &[Table<Option<f64>>]) -> DVector<f64> {
+    let values = rows.iter().flat_map(Table::iter);
+    let values = values.map(|(_, value)| value.unwrap_or(0.0));
+    DVector::from_iterator(rows.len() * Observable::ALL.len(), values)
 }
 
 #[cfg(test)]

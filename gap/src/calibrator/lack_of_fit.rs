@@ -266,9 +266,9 @@ fn by_size(data: impl Iterator<Item = (f64, f64)>) -> f64 {
     let (mut sum, mut square) = (0.0, 0.0);
     for (v, r) in data {
         sum += v * r;
-        square += v * v * (r * r).max(0.25);
+        square += v * v * (r * r).max(thresholds::LEAST_SQUARE);
     }
-    sum.abs() / square.sqrt().max(1e-300) * 0.9
+    sum.abs() / square.sqrt().max(1e-300) * thresholds::OWN_SCATTER
 }
 
 /// Tests the sign: a component not locked to the excitation has either sign
@@ -278,7 +278,7 @@ fn by_sign(data: impl Iterator<Item = (f64, f64)>) -> f64 {
     for (v, r) in data.filter(|(v, _)| *v != 0.0) {
         let bounded = r.clamp(-1.0, 1.0);
         sum += v.signum() * bounded;
-        square += (bounded * bounded).max(0.1);
+        square += (bounded * bounded).max(thresholds::LEAST_SIGN);
     }
     sum.abs() / square.sqrt().max(1e-300)
 }

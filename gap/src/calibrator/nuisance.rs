@@ -4,6 +4,7 @@ use crate::dataset::{ExciterParameter, Measurand, Quantity, Repeatability, Rig, 
 use crate::effects::Facts;
 use crate::model::row::Row;
 use crate::observable::Channel;
+use crate::thresholds;
 use std::f64::consts::SQRT_2;
 
 /// A parameter of the simulation that is not an effect, in units of its uncertainty.
@@ -131,18 +132,18 @@ fn noises(rig: &Rig, facts: &Facts) -> impl Iterator<Item = Free> {
 
 /// Factor on a value for a relative change; large uncertainties stay positive.
 pub(super) fn stretched(change: f64, u: f64) -> f64 {
-    if u > 0.3 {
+    if u > thresholds::LARGE_U {
         change.exp()
     } else {
-        (1.0 + change).max(0.02)
+        (1.0 + change).max(thresholds::LEAST_FACTOR)
     }
 }
 
 /// Its slope.
 pub(super) fn stretched_slope(change: f64, u: f64) -> f64 {
-    if u > 0.3 {
+    if u > thresholds::LARGE_U {
         change.exp()
-    } else if 1.0 + change > 0.02 {
+    } else if 1.0 + change > thresholds::LEAST_FACTOR {
         1.0
     } else {
         0.0

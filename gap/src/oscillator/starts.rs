@@ -60,8 +60,6 @@ fn by_parts(record: &Run, mut values: OscillatorParameters) -> Option<Fitted> {
 
 /// Resonances that are looked at where none is known, and damping ratios of each.
 const LOOKED_AT: (usize, [f64; 3]) = (48, [0.01, 0.06, 0.4]);
-/// The best of them that are followed.
-const BEST: usize = 3;
 
 /// Linear oscillators of any resonance that describe the record best: from two periods in it up to a sixth
 /// of the rate.
@@ -79,7 +77,7 @@ fn anywhere(record: &Run) -> Vec<OscillatorParameters> {
     };
     let mut found: Vec<(f64, OscillatorParameters)> = places.filter_map(of).collect();
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
-    found.truncate(BEST);
+    found.truncate(thresholds::BEST_STARTS);
     found.into_iter().map(|f| f.1).collect()
 }
 

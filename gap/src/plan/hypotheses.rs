@@ -12,9 +12,6 @@ use crate::options::Options;
 use crate::thresholds;
 use rayon::prelude::*;
 
-/// Sets of a dataset that are compared.
-const MOST_SETS: usize = 6;
-
 /// A set that is taken for true, and one that is refitted; both are fits of one problem.
 pub(super) struct Pairs<'a> {
     pub(super) of: &'a Problem,
@@ -41,7 +38,7 @@ pub(super) fn of_data<'a>(
         .iter()
         .filter(|s| s.probability > thresholds::LISTED_PROBABILITY && !s.fit.effects.is_empty())
         .map(|s| s.fit.clone())
-        .take(MOST_SETS)
+        .take(thresholds::MOST_SETS)
         .collect();
     let undecided = sets.len() > 1;
     if !undecided {
@@ -49,7 +46,9 @@ pub(super) fn of_data<'a>(
         let mut rest: Vec<&Fit> = found.every.iter().filter(|f| rivals(f, best)).collect();
         rest.sort_by(|a, b| a.objective.total_cmp(&b.objective));
         for fit in rest {
-            if sets.len() < MOST_SETS / 2 && sets.iter().all(|s| s.names() != fit.names()) {
+            if sets.len() < thresholds::MOST_SETS / 2
+                && sets.iter().all(|s| s.names() != fit.names())
+            {
                 sets.push(fit.clone());
             }
         }

@@ -58,7 +58,7 @@ pub(super) fn elsewhere(answer: &Answer) -> Option<String> {
         (false, _) => "\u{a0}Hz",
     };
     let place = format!("{} to {}{unit}", short(slice.from), short(slice.to));
-    let words = if closed > HOLDS {
+    let words = if closed > thresholds::HOLDS {
         format!(
             "It holds where it was not fitted: at levels and in bands that were left out, {:.0}\u{a0}% of the gap or more is closed.",
             100.0 * closed
@@ -73,6 +73,3 @@ pub(super) fn elsewhere(answer: &Answer) -> Option<String> {
     };
     Some(words)
 }
-
-/// Share of the gap closed at which a cause is said to hold on data left out.
-const HOLDS: f64 = 0.9;

@@ -2,6 +2,7 @@
 
 use crate::truth::{TrueCase, Truth};
 use calib_files::{Error, Result, text};
+use calib_gap::POSSIBLE_PROBABILITY;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -60,9 +61,6 @@ pub fn read_answers(path: &Path) -> Result<Vec<ScoredAnswer>> {
         .collect()
 }
 
-/// Probability above which a set counts as offered.
-const OFFERED: f64 = 0.05;
-
 /// A case with its answer, if there is one.
 #[derive(Clone, Copy)]
 pub(super) struct Pair<'a> {
@@ -115,7 +113,9 @@ impl Pair<'_> {
 
     pub(super) fn offered(&self) -> impl Iterator<Item = &ScoredCause> {
         let causes = self.answer.map_or(&[][..], |a| a.causes.as_slice());
-        causes.iter().filter(|c| c.probability > OFFERED)
+        causes
+            .iter()
+            .filter(|c| c.probability > POSSIBLE_PROBABILITY)
     }
 
     pub(super) fn stage_found(&self) -> bool {
