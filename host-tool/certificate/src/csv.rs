@@ -7,7 +7,6 @@
 
 use super::adjustment::change_percent;
 use super::kind::{SensitivityUnit, SensorKind};
-use super::measured::MEASURED;
 use super::model::{Certificate, Point, PointValues};
 use super::particulars::Amendment;
 use super::rounding::Rounded;
@@ -15,6 +14,7 @@ use super::words::Language;
 use crate::decision::Assessment;
 use calib_files::{Error, Result};
 use calib_output::code;
+use calib_output::measured::MEASURED;
 use calib_output::number::{self, decimal};
 
 /// A heading, and the cell below it; empty where there is nothing to say.
@@ -62,7 +62,7 @@ const RESULT: [Column<&str>; 18] = [
 
 /// Columns behind it.
 const JUDGEMENT: [Column<&str>; 21] = [
-    ("blocks", |r| Some(r.point.view.blocks.to_string())),
+    ("blocks", |r| Some(r.point.view.observed.blocks.to_string())),
     ("state", |r| Some(code(&r.point.view.state))),
     ("reason", |r| r.point.view.reason.clone()),
     ("conformity", |r| {

@@ -52,7 +52,6 @@ mod json;
 mod kind;
 mod linearity;
 mod marks;
-mod measured;
 pub mod model;
 mod mountings;
 pub mod particulars;

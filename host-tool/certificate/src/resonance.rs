@@ -127,7 +127,7 @@ impl Mounted {
         self.excess_beyond(1.0, frequency_hz)
     }
 
-    /// The same; 0 where that is within so many times U of both.
+    /// [`Self::excess_rel`]; 0 where that is within so many times U of both.
     fn excess_beyond(&self, times_u: f64, frequency_hz: f64) -> f64 {
         let Some((fitted, sheet_hz)) = self.fitted.zip(self.sheet_hz) else {
             return 0.0;

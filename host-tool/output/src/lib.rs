@@ -3,6 +3,7 @@
 //! | file | idea |
 //! |---|---|
 //! | [`point`] | a measured point, and one that is to be measured |
+//! | [`measured`] | quantities beside the result of a point, and their columns |
 //! | [`instrument`] | the calibrator, its runs and its records |
 //! | [`self_test`] | what a board says of itself |
 //! | [`json`] | how documents are written: numbers, lines |
@@ -15,6 +16,7 @@
 pub mod conforms;
 pub mod instrument;
 pub mod json;
+pub mod measured;
 pub mod number;
 pub mod point;
 pub mod self_test;

@@ -1,6 +1,7 @@
 //! A measured point, as every output states it.
 
 use crate::code;
+use crate::measured::Observed;
 use crate::number::degrees;
 use calib_core::point::{PointResult, PointSpec};
 use calib_core::point_state::PointState;
@@ -84,35 +85,9 @@ pub struct PointView {
     pub expanded_uncertainty_phase_deg: Option<f64>,
     /// The device under test is inverted in the sense of Annex B.
     pub inverted: bool,
-    /// Total harmonic distortion of the device under test.
-    pub distortion_dut_rel: Option<f32>,
-    /// Total harmonic distortion of the reference channel.
-    pub distortion_reference_rel: Option<f32>,
-    /// Signal to residual noise of the device under test, dB.
-    pub signal_to_noise_dut_db: Option<f32>,
-    /// Signal to residual noise of the device under test in its worst block, dB; none with
-    /// broadband excitation.
-    pub signal_to_noise_dut_worst_block_db: Option<f32>,
-    /// Signal to residual noise of the reference channel, dB.
-    pub signal_to_noise_reference_db: Option<f32>,
-    /// Relative experimental standard deviation of the mean over the blocks.
-    pub repeatability_rel: Option<f32>,
-    /// Experimental standard deviation of the mean phase over the blocks, degrees.
-    pub repeatability_phase_deg: Option<f64>,
-    /// Amplitude of what the mains may still do to the result, relative; as many rad of phase.
-    pub hum_rel: Option<f32>,
-    /// Part of the tone that may be missing, relative: power beside it that is absent at rest, over its own.
-    pub dropout_rel: Option<f32>,
-    /// Largest relative change of the acceleration amplitude while measuring.
-    pub amplitude_stability_rel: Option<f32>,
-    /// Blocks averaged.
-    pub blocks: u16,
-    /// Drive voltage, V peak.
-    pub drive_peak_v: f32,
-    /// Time until the level was settled, s.
-    pub settling_s: f32,
-    /// Largest relative excess of the amplitude over the set level while settling.
-    pub overshoot_rel: Option<f32>,
+    /// Observed beside the result.
+    #[serde(flatten)]
+    pub observed: Observed,
     /// Coherence of both channels; none with a single sine.
     pub coherence: Option<f32>,
     /// Temperature of the instrument's processor, degrees Celsius; none when not read.
@@ -137,22 +112,7 @@ impl PointView {
             expanded_uncertainty_phase_deg: result(point.expanded_uncertainty_phase_rad)
                 .map(degrees),
             inverted: point.inverted,
-            distortion_dut_rel: finite(point.distortion_dut_rel),
-            distortion_reference_rel: finite(point.distortion_reference_rel),
-            signal_to_noise_dut_db: finite(point.signal_to_noise_dut_db),
-            signal_to_noise_dut_worst_block_db: point
-                .signal_to_noise_worst_block_db
-                .and_then(finite),
-            signal_to_noise_reference_db: finite(point.signal_to_noise_reference_db),
-            repeatability_rel: finite(point.repeatability_rel),
-            repeatability_phase_deg: finite(point.repeatability_phase_rad).map(degrees),
-            hum_rel: finite(point.hum_rel),
-            dropout_rel: finite(point.dropout_rel),
-            amplitude_stability_rel: finite(point.amplitude_stability_rel),
-            blocks: point.blocks,
-            drive_peak_v: point.drive_peak_v,
-            settling_s: point.settling_s,
-            overshoot_rel: finite(point.overshoot_rel),
+            observed: Observed::of(point),
             coherence: point.coherence.and_then(finite),
             instrument_temperature_c: point.instrument_temperature_c.and_then(finite),
             reason,
@@ -180,7 +140,7 @@ impl PointView {
     }
 }
 
-fn finite(value: f32) -> Option<f32> {
+pub(crate) fn finite(value: f32) -> Option<f32> {
     value.is_finite().then_some(value)
 }
 

@@ -112,7 +112,7 @@ impl Specification {
         self.limits_of(place, |_| true)
     }
 
-    /// The same, of bands with these bases alone.
+    /// Those of bands with these bases alone.
     pub fn limits_of(&self, place: Place, wanted: impl Fn(Base) -> bool) -> Option<Limits> {
         let bands = self.bands_at(place).filter(|(band, _)| wanted(band.base));
         let limits = bands.map(|(band, base)| band.around(base));

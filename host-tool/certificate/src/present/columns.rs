@@ -2,10 +2,10 @@
 
 use crate::decision::Stated;
 use crate::kind::{SensitivityUnit, SensorKind};
-use crate::measured::{Heading, MEASURED, Measured};
 use crate::model::{Point, PointValues};
 use crate::rounding::Rounded;
 use crate::words::Language;
+use calib_output::measured::{Heading, MEASURED, Measured};
 use calib_output::number::decimal;
 
 /// A column of the table over frequency.
