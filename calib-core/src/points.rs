@@ -62,21 +62,6 @@ pub fn preferred_points(low_hz: f32, high_hz: f32, acceleration_rms_ms2: f32) ->
     list
 }
 
-/// Levels of the series 1, 2, 5, 10 from `low` to `high`, m/s2 r.m.s., at one
-/// frequency: a linearity measurement. Rising, so that a limit ends it.
-pub fn linearity_points(frequency_hz: f32, low_rms_ms2: f32, high_rms_ms2: f32) -> PointList {
-    // A thousandth of slack: 0.1 * 10^n is not exact in f32.
-    let inside = |level: &f32| *level >= 0.999 * low_rms_ms2 && *level <= 1.001 * high_rms_ms2;
-    LEVELS_MS2
-        .into_iter()
-        .filter(inside)
-        .map(|acceleration_rms_ms2| PointSpec {
-            frequency_hz,
-            acceleration_rms_ms2,
-        })
-        .collect()
-}
-
 /// Whether a point can be measured at all, by what is known before anything moves.
 ///
 /// # Errors
@@ -170,16 +155,6 @@ mod tests {
         assert_eq!(preferred_points(5.0, 100.0, 1.0)[0].frequency_hz, 80.0);
         assert_eq!(preferred_points(200.0, 400.0, 1.0)[0].frequency_hz, 200.0);
         assert!(preferred_points(300.0, 310.0, 1.0).is_empty());
-    }
-
-    #[test]
-    fn linearity_is_measured_at_preferred_levels() {
-        let levels: std::vec::Vec<f32> = linearity_points(160.0, 1.0, 100.0)
-            .iter()
-            .map(|p| p.acceleration_rms_ms2)
-            .collect();
-        assert_eq!(levels, [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0]);
-        assert!(linearity_points(160.0, 5.0, 2.0).is_empty());
     }
 
     #[test]

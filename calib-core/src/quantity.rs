@@ -14,7 +14,7 @@
 //! ISO 16063-21:2003, clause 6 and Annex C; phase from `v = a / (j w)`.
 
 use crate::polarity::wrap;
-use core::f32::consts::{FRAC_PI_2, SQRT_2, TAU};
+use core::f32::consts::{FRAC_PI_2, TAU};
 
 /// Quantity of a rectilinear motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,28 +70,6 @@ pub fn amplitude(value: f32, from: MotionQuantity, to: MotionQuantity, frequency
     value * power(TAU * frequency_hz, to.order() - from.order())
 }
 
-/// Ways to state the size of a sine.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SineSize {
-    /// Root mean square.
-    pub rms: f32,
-    /// Peak.
-    pub peak: f32,
-    /// Peak to peak.
-    pub peak_to_peak: f32,
-}
-
-impl SineSize {
-    /// All three from the r.m.s. value.
-    pub fn from_rms(rms: f32) -> Self {
-        Self {
-            rms,
-            peak: SQRT_2 * rms,
-            peak_to_peak: 2.0 * SQRT_2 * rms,
-        }
-    }
-}
-
 /// `base^exponent` for exponents from -2 to 2.
 fn power(base: f32, exponent: i32) -> f32 {
     match exponent {
@@ -128,9 +106,6 @@ mod tests {
             amplitude(10.0, Acceleration, Displacement, 160.0),
             9.894_646_84e-6,
         );
-        let size = SineSize::from_rms(10.0);
-        close(size.peak, 14.142_135_62);
-        close(size.peak_to_peak, 28.284_271_25);
     }
 
     #[test]

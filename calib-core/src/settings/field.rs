@@ -26,20 +26,14 @@ const DITHER_CODES: f32 = 7200.0;
 const POINT_INFLUENCES: PointInfluences = PointInfluences {
     // Half a percent of bending between two transducers on a light table.
     relative_motion_at_10_khz_rel: 0.005,
-    // Of the converters.
-    converter_step_v: 0.0,
     // sqrt(2^2 + 5^2) %: a reference, and what makers state for industrial sensors.
     transverse_sensitivity_rel: 0.053_851_6,
     // A resonance of 38 kHz that shifts by 5 %.
     mounting_at_10_khz_rel: 0.0075,
     // Filters of parts of 1 %, whose delay is 28 us.
     channel_delay_s: 3.0e-7,
-    // Of the converters, as the step.
-    converter_nonlinearity_v: 0.0,
-    dither_peak_v: 0.0,
-    // What Table 2 allows, until the exciter's own are known.
-    transverse_motion_to_1_khz_rel: 0.0,
-    transverse_motion_above_1_khz_rel: 0.0,
+    // Transverse motion: what Table 2 allows, until the exciter's own is known.
+    ..PointInfluences::NONE
 };
 
 const RECTANGULAR: Distribution = Distribution::Rectangular;

@@ -10,54 +10,63 @@ use crate::requirements::{TRANSVERSE_STEP_HZ, transverse_at};
 use core::f32::consts::{FRAC_2_PI, SQRT_2, TAU};
 use serde::{Deserialize, Serialize};
 
-/// Coefficients of the influence quantities that differ from point to point. 0 leaves one out of the
-/// budget.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct PointInfluences {
+/// Names each coefficient once, with the largest value it may have.
+macro_rules! coefficients {
+    ($($(#[$meaning:meta])+ $name:ident: $most:expr;)+) => {
+        /// Coefficients of the influence quantities that differ from point to point. 0 leaves one out of the
+        /// budget.
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+        #[serde(default, deny_unknown_fields)]
+        #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+        pub struct PointInfluences {
+            $($(#[$meaning])+ pub $name: f32,)+
+        }
+
+        /// Name and largest value of each coefficient, in the order of [`PointInfluences::coefficients_mut`].
+        const COEFFICIENTS: [(&str, f32); [$($most,)+].len()] = [$((stringify!($name), $most),)+];
+
+        impl PointInfluences {
+            /// No such influence.
+            pub const NONE: Self = Self { $($name: 0.0,)+ };
+
+            /// The coefficients in the order they are stored: a new one goes to the end.
+            pub fn coefficients_mut(&mut self) -> [&mut f32; COEFFICIENTS.len()] {
+                [$(&mut self.$name,)+]
+            }
+        }
+    };
+}
+
+coefficients! {
     /// Relative motion of reference and device at 10 kHz, relative to the motion. The mounting between
     /// them is a spring: below its resonance the motion grows with the square of the frequency.
-    pub relative_motion_at_10_khz_rel: f32,
+    relative_motion_at_10_khz_rel: f32::MAX;
     /// Largest step of the input converters' characteristic beside the line, V at the connector: where the
     /// largest bit turns, which is where signals swing. Counts where the front end adds no dither.
-    pub converter_step_v: f32,
+    converter_step_v: f32::MAX;
     /// Transverse sensitivity of both transducers together, relative: times the transverse motion of the exciter, or
     /// what Table 2 allows, 10 % to 1 kHz and 30 % above.
-    pub transverse_sensitivity_rel: f32,
+    transverse_sensitivity_rel: f32::MAX;
     /// Change of the sensitivity at 10 kHz by another torque, grease or cable, relative: the mounted resonance
     /// shifts, and below it the sensitivity follows with the square of the frequency.
-    pub mounting_at_10_khz_rel: f32,
+    mounting_at_10_khz_rel: f32::MAX;
     /// Difference of the delays of both channels, s: filters of parts that are not alike.
-    pub channel_delay_s: f32,
+    channel_delay_s: f32::MAX;
     /// Largest distance of the input converters' characteristic from the line, whatever its shape, V at the
     /// connector. Counts where the front end adds dither.
-    pub converter_nonlinearity_v: f32,
+    converter_nonlinearity_v: f32::MAX;
     /// How far the dither of the front end reaches to either side at least, V at the connector; 0 for a front
     /// end without.
-    pub dither_peak_v: f32,
+    dither_peak_v: f32::MAX;
     /// Largest transverse motion of the exciter to 1 kHz, relative to the intended one, as its maker or a measurement
     /// states it; 0: what Table 2 allows.
-    pub transverse_motion_to_1_khz_rel: f32,
+    transverse_motion_to_1_khz_rel: 1.0;
     /// Largest transverse motion of the exciter above 1 kHz, a rocking mode included, likewise.
-    pub transverse_motion_above_1_khz_rel: f32,
+    transverse_motion_above_1_khz_rel: 1.0;
 }
 
 /// Quantities of [`PointInfluences`]; what the converters do counts for each channel.
 const AT_POINT: usize = 6;
-
-/// Name and largest value of each coefficient, in the order of [`PointInfluences::coefficients_mut`].
-const COEFFICIENTS: [(&str, f32); 9] = [
-    ("relative_motion_at_10_khz_rel", f32::MAX),
-    ("converter_step_v", f32::MAX),
-    ("transverse_sensitivity_rel", f32::MAX),
-    ("mounting_at_10_khz_rel", f32::MAX),
-    ("channel_delay_s", f32::MAX),
-    ("converter_nonlinearity_v", f32::MAX),
-    ("dither_peak_v", f32::MAX),
-    ("transverse_motion_to_1_khz_rel", 1.0),
-    ("transverse_motion_above_1_khz_rel", 1.0),
-];
 
 /// Two values equally likely, as far apart as they can be: the half-width is the standard deviation.
 const TWO_VALUES: Distribution = Distribution::Special { divisor: 1.0 };
@@ -83,34 +92,6 @@ pub struct AtPoint {
 }
 
 impl PointInfluences {
-    /// No such influence.
-    pub const NONE: Self = Self {
-        relative_motion_at_10_khz_rel: 0.0,
-        converter_step_v: 0.0,
-        transverse_sensitivity_rel: 0.0,
-        mounting_at_10_khz_rel: 0.0,
-        channel_delay_s: 0.0,
-        converter_nonlinearity_v: 0.0,
-        dither_peak_v: 0.0,
-        transverse_motion_to_1_khz_rel: 0.0,
-        transverse_motion_above_1_khz_rel: 0.0,
-    };
-
-    /// The coefficients in the order they are stored: a new one goes to the end.
-    pub fn coefficients_mut(&mut self) -> [&mut f32; 9] {
-        [
-            &mut self.relative_motion_at_10_khz_rel,
-            &mut self.converter_step_v,
-            &mut self.transverse_sensitivity_rel,
-            &mut self.mounting_at_10_khz_rel,
-            &mut self.channel_delay_s,
-            &mut self.converter_nonlinearity_v,
-            &mut self.dither_peak_v,
-            &mut self.transverse_motion_to_1_khz_rel,
-            &mut self.transverse_motion_above_1_khz_rel,
-        ]
-    }
-
     /// Contributions of the quantities at a point whose acceleration `reference` has told.
     pub fn at(&self, point: &PointResult, reference: &ReferenceSensitivity) -> [AtPoint; AT_POINT] {
         let [of_reference, of_dut] = self.converters(point, reference);

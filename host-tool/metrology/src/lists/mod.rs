@@ -4,6 +4,7 @@
 //! ISO 16063-21:2003 5.1 and 5.3; ISO 266 for the frequencies.
 
 use crate::input::HIGHEST_HZ;
+use calib_core::points::{FEWEST_POINTS, REFERENCE_HZ, REFERENCE_MS2};
 use calib_files::{Error, Result};
 use calib_protocol::record::MAX_POINTS;
 use schemars::JsonSchema;
@@ -23,10 +24,6 @@ pub struct ListPoint {
 const THIRD_OCTAVES: [f64; 10] = [1.0, 1.25, 1.6, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0];
 /// Mantissas of the acceleration series of 5.1 a.
 const LEVELS: [f64; 3] = [1.0, 2.0, 5.0];
-/// Reference frequencies in the order of preference (5.3).
-const REFERENCE_HZ: [f64; 2] = [160.0, 80.0];
-/// Fewest frequencies (5.1).
-pub const FEWEST: usize = 6;
 
 /// A list over a frequency range: the reference point first, then the others
 /// rising, `count` in all and evenly spread over the series.
@@ -43,13 +40,13 @@ pub fn preferred(
     possible(&[acceleration_rms_ms2], HIGHEST_MS2, "m/s2")?;
     let series = series(&THIRD_OCTAVES, from_hz, to_hz);
     let wanted = count.unwrap_or(series.len());
-    if series.len() < FEWEST || wanted < FEWEST || wanted > series.len() {
+    if series.len() < FEWEST_POINTS || wanted < FEWEST_POINTS || wanted > series.len() {
         return Err(Error::usage(
             format!(
                 "{wanted} points of the {} preferred frequencies in {from_hz} .. {to_hz} Hz",
                 series.len()
             ),
-            format!("ask for {FEWEST} or more (5.1), or widen the range"),
+            format!("ask for {FEWEST_POINTS} or more (5.1), or widen the range"),
         ));
     }
     let last = (series.len() - 1) as f64;
@@ -57,6 +54,7 @@ pub fn preferred(
         .map(|n| series[(n as f64 * last / (wanted - 1) as f64).round() as usize])
         .collect();
     if let Some(reference) = REFERENCE_HZ
+        .map(f64::from)
         .into_iter()
         .find(|reference| series.contains(reference))
     {
@@ -94,7 +92,8 @@ pub fn linearity(frequency_hz: f64, from_ms2: f64, to_ms2: f64) -> Result<Vec<Li
             "a line needs three levels of the series 1, 2, 5: widen the range",
         ));
     }
-    let reference = [100.0, 10.0, 20.0, 50.0]
+    let reference = REFERENCE_MS2
+        .map(f64::from)
         .into_iter()
         .find(|level| levels.contains(level));
     if let Some(level) = reference {
@@ -152,8 +151,9 @@ pub fn resonance(
             let digits = |hz: f64| 10.0_f64.powf(4.0 - hz.log10().floor());
             let rounded = |hz: f64| (hz * digits(hz)).round() / digits(hz);
             let searched = (0..=steps as u32).map(|n| rounded(at(n)));
-            let reference = std::iter::once(REFERENCE_HZ[0]);
-            let others = searched.filter(|hz| *hz != REFERENCE_HZ[0]);
+            let preferred_hz = f64::from(REFERENCE_HZ[0]);
+            let reference = std::iter::once(preferred_hz);
+            let others = searched.filter(|hz| *hz != preferred_hz);
             let point = |frequency_hz| ListPoint {
                 frequency_hz,
                 acceleration_rms_ms2,
