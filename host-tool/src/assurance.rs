@@ -1,7 +1,7 @@
 //! Check standards and references of the logbook: how each stands, what they show together, and which certificates they
 //! block.
 
-use crate::self_check::{self, ReferenceState};
+use crate::self_check::{self, ReferenceState, day};
 use crate::{Error, Result};
 use calib_certificate::{CheckProblem, FailedCheck, StandardPoint};
 use calib_logbook::{CheckStandard, HistoryResult, Logbook};
@@ -9,8 +9,6 @@ use calib_metrology::common_drift::{CommonDrift, Measured, common_drift};
 use calib_metrology::control_chart::{ControlChart, FEWEST, Signal, control_chart, e_n};
 use calib_protocol::record::{self, Record};
 use jiff::Timestamp;
-use jiff::civil::Date;
-use jiff::tz::TimeZone;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -302,12 +300,6 @@ fn problem(standard: CheckStandard, all: &[HistoryResult], at_s: i64) -> Option<
     }
 }
 
-/// Day of a time, UTC.
-fn day(unix_time_s: i64) -> Date {
-    let time = Timestamp::from_second(unix_time_s).unwrap_or(Timestamp::UNIX_EPOCH);
-    time.to_zoned(TimeZone::UTC).date()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -353,11 +345,11 @@ mod tests {
         let sound = with(&[]);
         assert_eq!(at(&sound, 10), None);
         assert_eq!(at(&sound, 17), None);
-        let overdue = CheckProblem::Overdue(Date::constant(1970, 1, 11));
+        let overdue = CheckProblem::Overdue(jiff::civil::Date::constant(1970, 1, 11));
         assert_eq!(at(&sound, 18), Some(overdue));
         assert_eq!(at(&sound, 0), Some(CheckProblem::Never));
         // 1 % off on the eleventh day: what was calibrated then, and what has no certificate yet.
-        let off = CheckProblem::OutOfControl(Date::constant(1970, 1, 12));
+        let off = CheckProblem::OutOfControl(jiff::civil::Date::constant(1970, 1, 12));
         assert_eq!(at(&with(&[1.01]), 12), Some(off));
         assert_eq!(at(&with(&[1.01]), 10), Some(off));
         // A sound result after it is one for later jobs alone.

@@ -287,7 +287,7 @@ fn state(checks: &[SelfCheck], latest: &SelfCheck) -> Result<ReferenceState> {
 }
 
 /// Day of a time, UTC.
-fn day(unix_time_s: i64) -> Date {
+pub(crate) fn day(unix_time_s: i64) -> Date {
     let time = Timestamp::from_second(unix_time_s).unwrap_or(Timestamp::UNIX_EPOCH);
     time.to_zoned(TimeZone::UTC).date()
 }

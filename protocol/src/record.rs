@@ -85,7 +85,7 @@ pub struct RecordSummary {
 
 /// Where a record stands in the chain of its instrument.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct ChainLink {
+pub struct HashLink {
     /// Kind of record.
     pub kind: RecordKind,
     /// Running number.
@@ -230,10 +230,10 @@ impl Content<'_> {
 ///
 /// # Errors
 /// As [`decode`], for any kind.
-pub fn link(bytes: &[u8]) -> Result<ChainLink, RecordError> {
+pub fn link(bytes: &[u8]) -> Result<HashLink, RecordError> {
     let content = open(bytes)?;
     let head = content.head()?;
-    Ok(ChainLink {
+    Ok(HashLink {
         kind: content.kind,
         id: head.id,
         instrument_serial: head.instrument_serial,

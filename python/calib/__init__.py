@@ -13,7 +13,7 @@ their name (``frequency_hz``, ``sensitivity_v_per_ms2``), amplitudes say peak or
 from . import gap
 from ._answer import Document
 from ._verb import verb
-from .calculators import budget, convert, identify, link, phase, risk, sensitivity
+from .calculators import budget, convert, identify, linking, phase, risk, sensitivity
 from .calibrator import Calibrator, Run, connect
 from .errors import (
     CalibError,
@@ -51,7 +51,7 @@ __all__ = [
     "export_lake",
     "gap",
     "identify",
-    "link",
+    "linking",
     "phase",
     "risk",
     "sensitivity",

@@ -84,7 +84,7 @@ def phase(content: Content) -> Document:
         return carry_out(["phase", str(file)], {}, hide=str(into))
 
 
-def link(results: Optional[Content] = None, *, doe: Optional[Table] = None, chart: Optional[str] = None) -> Document:
+def linking(results: Optional[Content] = None, *, doe: Optional[Table] = None, chart: Optional[str] = None) -> Document:
     """Links comparisons, and judges degrees of equivalence.
 
     Args:
@@ -99,9 +99,9 @@ def link(results: Optional[Content] = None, *, doe: Optional[Table] = None, char
     with _tables.folder() as into:
         if doe is not None:
             file = _tables.table_file(doe, into, "degrees.csv")
-            return carry_out(["link"], {"doe": file, "chart": chart}, hide=str(into))
+            return carry_out(["linking"], {"doe": file, "chart": chart}, hide=str(into))
         file = _tables.content_file(results, into, "results.toml")
-        return carry_out(["link", str(file)], {"chart": chart}, hide=str(into))
+        return carry_out(["linking", str(file)], {"chart": chart}, hide=str(into))
 
 
 def sensitivity(readings: Table, *, example: int = 2, quantity: str = "acceleration") -> Document:

@@ -88,8 +88,8 @@ def test_phase_and_link_are_those_of_the_command_line(place):
     table = {"laboratory": ["A", "B", "C"], "frequency_hz": 160.0,
              "degree_of_equivalence": [1e-5, -2e-5, 9e-5], "expanded_uncertainty": [5e-5, 5e-5, 5e-5]}
     pandas.DataFrame(table).to_csv("d.csv", index=False)
-    said, _ = command_line("--json", "link", "--doe", "d.csv")
-    assert calib.link(doe=table) == said
+    said, _ = command_line("--json", "linking", "--doe", "d.csv")
+    assert calib.linking(doe=table) == said
 
 
 def test_conversions_and_risks_are_those_of_the_command_line():

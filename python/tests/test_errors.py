@@ -51,7 +51,7 @@ def test_a_place_in_an_array_is_named():
         lambda: calib.convert("160 Hz", 0.01),
         lambda: calib.risk(0.5),
         lambda: calib.risk(None),
-        lambda: calib.link(),
+        lambda: calib.linking(),
         lambda: calib.identify(),
         lambda: calib.verb("no-such-verb"),
         lambda: calib.verb("budget", no_such_option=3),

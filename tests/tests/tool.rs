@@ -267,7 +267,7 @@ fn an_emulated_calibrator_is_used_over_tcp_and_usb_and_keeps_its_records() {
     assert_eq!(go(&["records"])[2]["kind"], "reference_change");
     // The certificate of a file says the same once its neighbours lie beside it.
     let all = go(&["download", "--all"]);
-    let chain = |at: usize| all[at]["chain"].as_str().expect("a word");
+    let chain = |at: usize| all[at]["record_chain"].as_str().expect("a word");
     assert_eq!(
         [chain(0), chain(1), chain(2)],
         ["first", "verified", "verified"]

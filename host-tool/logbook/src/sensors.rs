@@ -55,7 +55,7 @@ struct SensorView {
     model: String,
     /// Nominal sensitivity, in the unit that `unit` begins with.
     sensitivity: Option<f64>,
-    /// The same, V/(m/s2); none for sensors of another kind.
+    /// Nominal sensitivity, V/(m/s2); none for sensors of another kind.
     sensitivity_v_per_ms2: Option<f64>,
     /// Measuring range, m/s2 peak.
     range_ms2: Option<f64>,

@@ -17,7 +17,7 @@
 //! altered with a right checksum, where there is neither an instrument to ask nor a key.
 
 use crate::signature::{Signed, short, signed};
-use calib_protocol::record::{self, ChainLink, RecordSummary, Sha256Sum};
+use calib_protocol::record::{self, HashLink, RecordSummary, Sha256Sum};
 use calib_protocol::signature::{DeviceKey, PublicKey};
 use std::collections::BTreeMap;
 use std::fmt;
@@ -150,7 +150,7 @@ pub enum Standing {
 #[derive(Clone, Debug, Default)]
 pub struct Evidence {
     instrument_serial: String,
-    links: BTreeMap<u32, ChainLink>,
+    links: BTreeMap<u32, HashLink>,
     listed: BTreeMap<u32, Sha256Sum>,
     signed: BTreeMap<u32, Signed>,
     key: Option<DeviceKey>,
@@ -201,7 +201,7 @@ impl Evidence {
             let Ok(bytes) = std::fs::read(folder.join(file_name(id))) else {
                 continue;
             };
-            let foreign = |link: ChainLink| link.instrument_serial != *self.instrument_serial;
+            let foreign = |link: HashLink| link.instrument_serial != *self.instrument_serial;
             if !record::link(&bytes).is_ok_and(foreign) {
                 self.bytes(id, &bytes);
             }

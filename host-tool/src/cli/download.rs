@@ -34,7 +34,7 @@ pub(super) struct Downloaded {
     #[schemars(with = "&str")]
     kind: RecordKind,
     points: u16,
-    chain: Standing,
+    record_chain: Standing,
 }
 
 impl Downloaded {
@@ -43,7 +43,7 @@ impl Downloaded {
             RecordKind::Calibration => format!("{} points", self.points),
             RecordKind::ReferenceChange => "change of settings".to_owned(),
         };
-        let chain = match self.chain {
+        let chain = match self.record_chain {
             Standing::First => "first of the chain",
             Standing::Verified => "chain verified",
             Standing::NotAtHand => "the record before is not at hand",
@@ -74,7 +74,7 @@ impl Download {
             .map(|record| Downloaded {
                 points: record::inspect(&record.bytes).map_or(0, |(line, _)| line.points),
                 kind: record.link.kind,
-                chain: evidence.standing(record.link.id),
+                record_chain: evidence.standing(record.link.id),
                 file: record.path,
                 bytes: record.bytes.len(),
                 resumed_at: record.resumed_at,

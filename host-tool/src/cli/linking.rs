@@ -1,4 +1,4 @@
-//! `calib link`: links comparisons, judges degrees of equivalence.
+//! `calib linking`: links comparisons, judges degrees of equivalence.
 
 use super::Context;
 use calib_files::file;
@@ -27,7 +27,7 @@ expanded_uncertainty.
 
 See docs/metrology/linking.md.";
 
-/// `calib link FILE.toml` or `calib link --doe FILE.csv`.
+/// `calib linking FILE.toml` or `calib linking --doe FILE.csv`.
 #[derive(Debug, Args)]
 #[command(after_help = FORM)]
 pub(crate) struct Linking {

@@ -113,7 +113,7 @@ fn all() -> Vec<(&'static str, Schema)> {
         of::<Either<identify::Output, ShockIdentification>>("identify"),
         of::<InfoView>("info"),
         of::<key::KeyView>("key"),
-        of::<Either<linking::Output, linking::DoeOutput>>("link"),
+        of::<Either<linking::Output, linking::DoeOutput>>("linking"),
         of::<Vec<lists::ListView>>("lists"),
         of::<Vec<logbook::Added>>("logbook-add"),
         of::<Vec<Issued>>("logbook-certificates"),

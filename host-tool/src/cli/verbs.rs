@@ -127,7 +127,7 @@ verbs! {
             "predict output.csv --model model.json --inverse"
         ];
         /// Links comparisons, judges degrees of equivalence.
-        Link(linking::Linking) ["link comparisons.toml --pairs", "link --doe degrees.csv"];
+        Linking(linking::Linking) ["linking comparisons.toml --pairs", "linking --doe degrees.csv"];
         /// Computes risks of decision rules over many sensors (JCGM 106:2012, clause 9).
         Risk(risk::Risk) ["risk --ratio 4", "risk --ratio 2 --in-tolerance 90"];
         /// Converts a sensitivity to acceleration, velocity or displacement (clause 6).

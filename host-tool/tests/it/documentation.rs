@@ -73,7 +73,7 @@ fn every_line_shown_is_printed() {
         "budget",
         "convert",
         "identify",
-        "link",
+        "linking",
         "nomogram",
         "phase",
         "points",

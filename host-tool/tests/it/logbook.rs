@@ -18,7 +18,7 @@ pub(crate) fn later(id: u32, sensor: &str, years: u64, factor: f32) -> Vec<u8> {
     after(id, sensor, years * YEAR_S, factor)
 }
 
-/// The same, days later.
+/// Record `id` of a sensor, `days` later.
 pub(crate) fn on_day(id: u32, sensor: &str, days: u64, factor: f32) -> Vec<u8> {
     after(id, sensor, days * 86_400, factor)
 }

@@ -142,7 +142,7 @@ fn exchange(host: &str, line: &str, headers: &str, body: &str) -> (u16, String) 
     (status, text(&body))
 }
 
-/// The same, whatever the answer is.
+/// One request whose answer may be no text.
 fn exchange_bytes(host: &str, line: &str, headers: &str, body: &str) -> (u16, Vec<u8>) {
     let mut stream = TcpStream::connect(host).expect("it listens");
     stream

@@ -7,7 +7,7 @@
 use crate::Client;
 use crate::{Error, Result};
 use calib_files::file::{self, Existing};
-use calib_protocol::record::{self, ChainLink, Record, RecordError, RecordSummary};
+use calib_protocol::record::{self, HashLink, Record, RecordError, RecordSummary};
 use calib_protocol::signature::DeviceKey;
 use calib_record::hash_chain::{self, Evidence};
 use std::fs::{File, TryLockError};
@@ -30,7 +30,7 @@ pub struct Fetched {
     /// Its content.
     pub bytes: Vec<u8>,
     /// Its place in the chain.
-    pub link: ChainLink,
+    pub link: HashLink,
     /// Bytes that an earlier, interrupted download had left.
     pub resumed_at: usize,
 }
@@ -143,7 +143,7 @@ pub fn fetch(
 }
 
 /// The place of a record that can be read to its end.
-fn whole(bytes: &[u8]) -> Result<ChainLink, RecordError> {
+fn whole(bytes: &[u8]) -> Result<HashLink, RecordError> {
     record::inspect(bytes)?;
     record::link(bytes)
 }
