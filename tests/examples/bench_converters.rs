@@ -6,9 +6,9 @@
 use calib_core::point_state::PointState;
 use calib_core::points::default_points;
 use calib_core::settings::Settings;
-use calib_tests::bench::{Fault, point, true_certificate};
 use calib_tests::boardless::{Acquisition, measure_by};
 use calib_tests::judge::deviation;
+use calib_tests::rigged::{Fault, point, true_certificate};
 use calib_twin::converters::{SHEET, Shape};
 use calib_twin::rig::Rig;
 use calib_twin::rig_port::Conversions;

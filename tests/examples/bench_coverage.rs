@@ -2,7 +2,7 @@
 
 use calib_tests::coverage;
 
-fn main() -> Result<(), calib_tests::bench::Fault> {
+fn main() -> Result<(), calib_tests::rigged::Fault> {
     let draws = std::env::args()
         .nth(1)
         .and_then(|text| text.parse().ok())

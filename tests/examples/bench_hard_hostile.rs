@@ -3,7 +3,7 @@
 //! that of an undisturbed run, and when anything was changed that nobody was allowed to.
 
 use calib_core::point::PointSpec;
-use calib_tests::bench::{Fault, point};
+use calib_tests::rigged::{Fault, point};
 use calib_tests::siege::{Assault, End, Siege, Toll, run, run_resets};
 use std::time::Instant;
 

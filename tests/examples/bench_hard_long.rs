@@ -8,7 +8,7 @@
 use calib_core::point_state::PointState;
 use calib_protocol::message::RunState;
 use calib_protocol::record::{self, Sha256Sum};
-use calib_tests::bench::{Bench, Fault, point};
+use calib_tests::rigged::{Fault, Rigged, point};
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;
 use calib_twin::rig_port::ShortedInputs;
@@ -58,29 +58,29 @@ fn main() -> Result<(), Fault> {
     let with_faults = said("faults");
     let start = Instant::now();
     let kept = Kept::place(with_faults);
-    let (mut bench, mut tally) = match said("resume") {
+    let (mut rigged, mut tally) = match said("resume") {
         true => kept.go_on()?,
-        false => (Bench::with_rig(&Rig::standard())?, Tally::default()),
+        false => (Rigged::with_rig(&Rig::standard())?, Tally::default()),
     };
-    while bench.board().elapsed() < goal {
-        let faulty = with_faults && bench.board().elapsed() >= tally.next_fault;
+    while rigged.board().elapsed() < goal {
+        let faulty = with_faults && rigged.board().elapsed() >= tally.next_fault;
         if faulty {
             tally.next_fault += TEN_MINUTES;
         }
-        let record = calibrate(&mut bench, faulty)?;
+        let record = calibrate(&mut rigged, faulty)?;
         tally.records = record::digest(&[tally.records.as_slice(), &record].concat());
         tally.runs += 1;
         tally.faults += u32::from(faulty);
-        if bench.board().elapsed() >= tally.next_report {
+        if rigged.board().elapsed() >= tally.next_report {
             tally.next_report += TEN_MINUTES;
-            report(&mut bench, &mut tally, start)?;
+            report(&mut rigged, &mut tally, start)?;
         }
-        if bench.board().elapsed() >= tally.next_keep {
+        if rigged.board().elapsed() >= tally.next_keep {
             tally.next_keep += HOUR;
-            kept.keep(&mut bench, &tally)?;
+            kept.keep(&mut rigged, &tally)?;
         }
     }
-    report(&mut bench, &mut tally, start)
+    report(&mut rigged, &mut tally, start)
 }
 
 /// Where a run is kept every hour: the board, and what was counted so far.
@@ -105,32 +105,32 @@ impl Kept {
         }
     }
 
-    fn keep(&self, bench: &mut Bench, tally: &Tally) -> Result<(), Fault> {
-        bench.keep(&self.board)?;
+    fn keep(&self, rigged: &mut Rigged, tally: &Tally) -> Result<(), Fault> {
+        rigged.keep(&self.board)?;
         std::fs::write(&self.tally, serde_json::to_string(tally)?)?;
         println!("kept in {}", self.board.display());
         Ok(())
     }
 
-    fn go_on(&self) -> Result<(Bench, Tally), Fault> {
+    fn go_on(&self) -> Result<(Rigged, Tally), Fault> {
         let tally = std::fs::read_to_string(&self.tally)
             .map_err(|error| format!("no run is kept in {}: {error}", self.tally.display()))?;
-        let bench = Bench::go_on(&Rig::standard(), &self.board)?;
-        Ok((bench, serde_json::from_str(&tally)?))
+        let rigged = Rigged::go_on(&Rig::standard(), &self.board)?;
+        Ok((rigged, serde_json::from_str(&tally)?))
     }
 }
 
 /// One run with its download and release, and the record's bytes; a reference that is dead stops it,
 /// and it is stored as such.
-fn calibrate(bench: &mut Bench, faulty: bool) -> Result<Vec<u8>, Fault> {
+fn calibrate(rigged: &mut Rigged, faulty: bool) -> Result<Vec<u8>, Fault> {
     let points = [20.0, 160.0, 1000.0, 5000.0].map(|frequency_hz| point(frequency_hz, 10.0));
     if faulty {
-        drop(bench.board().replace_rig(Box::new(ShortedInputs)));
+        drop(rigged.board().replace_rig(Box::new(ShortedInputs)));
     }
-    let outcome = bench.run(&points)?;
+    let outcome = rigged.run(&points)?;
     if faulty {
         let rig = Box::new(Plant::new(&Rig::standard()));
-        drop(bench.board().replace_rig(rig));
+        drop(rigged.board().replace_rig(rig));
     }
     let passed = outcome
         .points
@@ -143,11 +143,11 @@ fn calibrate(bench: &mut Bench, faulty: bool) -> Result<Vec<u8>, Fault> {
     if outcome.state != wanted || passed == faulty {
         return Err(format!("a run ends {:?}: {:?}", outcome.state, outcome.points).into());
     }
-    let content = bench.record(outcome.record_id)?;
+    let content = rigged.record(outcome.record_id)?;
     if record::decode(&content)?.points.as_slice() != outcome.points.as_slice() {
         return Err(format!("record {} is another one", outcome.record_id).into());
     }
-    bench.client.release(outcome.record_id)?;
+    rigged.client.release(outcome.record_id)?;
     Ok(content)
 }
 
@@ -160,10 +160,10 @@ fn short(sum: &Sha256Sum) -> String {
 }
 
 /// Prints where it is, and fails when a sample, or the firmware, was lost.
-fn report(bench: &mut Bench, tally: &mut Tally, start: Instant) -> Result<(), Fault> {
-    let status = bench.client.status()?;
+fn report(rigged: &mut Rigged, tally: &mut Tally, start: Instant) -> Result<(), Fault> {
+    let status = rigged.client.status()?;
     let (pairs, elapsed_s, restarts, erases) = {
-        let mut board = bench.board();
+        let mut board = rigged.board();
         let erases: u64 = board.flash_watch().erases().iter().sum();
         let restarts = board.resets()?.len();
         (

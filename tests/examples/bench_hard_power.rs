@@ -6,7 +6,7 @@
 //! what the first one was told by then, looks for all of it. One in 25 comes on the first board as well,
 //! which must then start to the same flash, byte for byte.
 
-use calib_tests::bench::Fault;
+use calib_tests::rigged::Fault;
 use calib_tests::supply::{Desk, Survey};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Instant;

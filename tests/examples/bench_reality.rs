@@ -1,7 +1,7 @@
 //! Does U hold on a site? `./run bench reality [--core [--exciter]] [--runs N] [--seed N] [EFFECT ...]`.
 
-use calib_tests::bench::Fault;
 use calib_tests::reality::{self, BANDS_HZ, Sizes, Stratum, Tally, Through};
+use calib_tests::rigged::Fault;
 
 /// Runs of a stratum, unless said otherwise.
 const RUNS: u64 = 20;

@@ -1,6 +1,6 @@
 //! Coverage and detection of the check by reciprocity: `./run bench selfcheck [RIGS [FIRST_SEED [IMAGE_RIGS]]]`.
 
-use calib_tests::bench::{Bench, Fault, true_certificate};
+use calib_tests::rigged::{Fault, Rigged, true_certificate};
 use calib_tests::self_check::{
     ANSWERS, BANDS_HZ, CHANGE_REL, DIFFERENCE_REL, FREQUENCIES_HZ, LONGEST, TRUTHS, Tally, UNSOUND,
     by_image, linear, plan, run, spoilt,
@@ -91,11 +91,11 @@ fn by_the_image(rigs: u64, first_seed: u64) -> Result<Vec<String>, Fault> {
     let (mut inside, mut of, mut longest) = (0, 0, Duration::ZERO);
     for rig in 0..rigs {
         let draw = linear(first_seed + rig);
-        let mut bench = Bench::with_rig(&draw.rig)?;
-        bench.certify_reference(&true_certificate(&draw.rig))?;
-        let begun = bench.board().elapsed();
-        let found = by_image(&mut bench, &draw, &plan(0.050, draw.stated.mass_kg).levels)?;
-        longest = longest.max(bench.board().elapsed() - begun);
+        let mut rigged = Rigged::with_rig(&draw.rig)?;
+        rigged.certify_reference(&true_certificate(&draw.rig))?;
+        let begun = rigged.board().elapsed();
+        let found = by_image(&mut rigged, &draw, &plan(0.050, draw.stated.mass_kg).levels)?;
+        longest = longest.max(rigged.board().elapsed() - begun);
         for point in &found.points {
             let truth = oracle::reference_sensitivity(&draw.rig, point.frequency_hz).norm();
             let off = (point.sensitivity_v_per_ms2 / truth - 1.0).abs();

@@ -194,8 +194,8 @@ impl<'m> Calibrator<'m> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bench::{point, reference_point, true_certificate};
     use crate::judge::deviation;
+    use crate::rigged::{point, reference_point, true_certificate};
     use calib_twin::rig::Rig;
 
     /// Fields of machines beside the tone, in the device's channel, that beat with it too slowly for three blocks: these

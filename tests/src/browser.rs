@@ -3,7 +3,7 @@
 //! Debian's Chromium and its driver; `./run test` installs them and names the
 //! driver in `CALIB_CHROMEDRIVER`.
 
-use crate::bench::Fault;
+use crate::rigged::Fault;
 use fantoccini::elements::Element;
 use fantoccini::wd::{Capabilities, WebDriverCompatibleCommand};
 use fantoccini::{Client, ClientBuilder, Locator};

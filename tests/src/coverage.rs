@@ -4,8 +4,8 @@
 //! as the stated distributions admit. The instrument is told the budget, not
 //! the errors, and states its uncertainty; the oracle knows the truth.
 
-use crate::bench::{Bench, Fault, point, reference_point};
 use crate::judge::from_truth;
+use crate::rigged::{Fault, Rigged, point, reference_point};
 use crate::turns;
 use calib_core::point_state::PointState;
 use calib_core::settings::{Distribution as Stated, Influence as StatedInfluence, PointInfluences};
@@ -109,22 +109,22 @@ impl Tally {
 pub fn run(draws: u64, first_seed: u64, progress: impl Fn(u64) + Sync) -> Result<Tally, Fault> {
     turns::all(
         draws,
-        |bench, draw| one(bench, first_seed + draw),
+        |rigged, draw| one(rigged, first_seed + draw),
         Tally::add,
         progress,
     )
 }
 
 /// One calibration with known truth, on the worker's instrument.
-fn one(bench: &mut Option<Bench>, seed: u64) -> Result<Tally, Fault> {
+fn one(rigged: &mut Option<Rigged>, seed: u64) -> Result<Tally, Fault> {
     let frequencies_hz = FREQUENCIES_HZ.map(f64::from);
     let draw = InfluenceDraw::new(&Rig::draw(seed), &frequencies_hz, &drawn_budget(), seed);
-    let bench = match bench {
-        Some(bench) => bench,
-        None => bench.insert(Bench::with_rig(&draw.rig)?),
+    let rigged = match rigged {
+        Some(rigged) => rigged,
+        None => rigged.insert(Rigged::with_rig(&draw.rig)?),
     };
-    bench.mount(&draw.rig);
-    bench.adjust(|settings| {
+    rigged.mount(&draw.rig);
+    rigged.adjust(|settings| {
         settings.reference.points = draw.certificate.iter().map(reference_point).collect();
         settings.influences = stated_budget();
         // Nothing else is wrong with the rigs drawn here, but for what dither leaves of the converters: a tenth of U.
@@ -133,9 +133,9 @@ fn one(bench: &mut Option<Bench>, seed: u64) -> Result<Tally, Fault> {
             ..PointInfluences::NONE
         };
     })?;
-    let outcome = bench.run(&FREQUENCIES_HZ.map(|frequency_hz| point(frequency_hz, 10.0)))?;
+    let outcome = rigged.run(&FREQUENCIES_HZ.map(|frequency_hz| point(frequency_hz, 10.0)))?;
     // Each rig is a change of settings, and so a record: they make room.
-    bench.client.release(outcome.record_id)?;
+    rigged.client.release(outcome.record_id)?;
     let mut tally = Tally::default();
     for (result, frequency_hz) in outcome.points.iter().zip(frequencies_hz) {
         if result.state != PointState::Valid {

@@ -1,7 +1,7 @@
 //! A page used by its keyboard alone.
 
-use crate::bench::Fault;
 use crate::browser::Browser;
+use crate::rigged::Fault;
 use serde_json::json;
 
 /// More keys than a page has places that take the focus.

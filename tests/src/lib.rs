@@ -4,7 +4,6 @@
 //! Everything but [`live`] runs in virtual time on one thread, so a scenario gives
 //! the same result on every machine.
 
-pub mod bench;
 pub mod boardless;
 pub mod browser;
 pub mod capture;
@@ -17,6 +16,7 @@ pub mod live;
 #[cfg(test)]
 mod lone;
 pub mod reality;
+pub mod rigged;
 pub mod self_check;
 pub mod served;
 pub mod siege;

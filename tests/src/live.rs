@@ -1,7 +1,7 @@
 //! An emulated calibrator at the pace of the wall, behind a TCP port whose plug can
 //! be pulled, with an eye on its drive output.
 
-use crate::bench::Fault;
+use crate::rigged::Fault;
 use calib_host::emulated::EmulatedBoard;
 use calib_twin::rig::Rig;
 use calib_twin::runner::{Door, HostLine, TcpDoor, run_paced};

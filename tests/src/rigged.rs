@@ -1,4 +1,4 @@
-//! A calibrator on the bench: emulated board, rig and client.
+//! An emulated calibrator with a rig on its connectors, and a client.
 
 use calib_core::point::{ExcitationKind, PointSpec};
 use calib_core::settings::{ReferencePoint, Settings};
@@ -16,7 +16,7 @@ use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-/// A fault on a bench ends a test: there is nothing to recover.
+/// A fault of the set-up ends a test: there is nothing to recover.
 pub type Fault = Box<dyn std::error::Error + Send + Sync>;
 
 /// Time from power-on after which the firmware must answer.
@@ -37,13 +37,13 @@ const PAINT: u8 = 0xCC;
 const IDLE_STACK: usize = 2048;
 
 /// An emulated calibrator with its rig, and a client that speaks to it.
-pub struct Bench {
+pub struct Rigged {
     emulator: SharedEmulator,
     /// The host tool's client.
     pub client: Client,
 }
 
-impl Bench {
+impl Rigged {
     /// Boots the shipping image with `rig` on its connectors.
     ///
     /// # Errors
@@ -55,7 +55,7 @@ impl Bench {
     /// Boots the shipping image with anything on its connectors.
     ///
     /// # Errors
-    /// As [`Bench::with_rig`].
+    /// As [`Rigged::with_rig`].
     pub fn with_port(port: Box<dyn RigPort>) -> Result<Self, Fault> {
         Self::with_image(&Firmware::shipping()?, port)
     }
@@ -63,12 +63,12 @@ impl Bench {
     /// Boots another image, on the board it is for.
     ///
     /// # Errors
-    /// As [`Bench::with_rig`].
+    /// As [`Rigged::with_rig`].
     pub fn with_image(firmware: &Firmware, port: Box<dyn RigPort>) -> Result<Self, Fault> {
         Self::speak_to(Emulator::power_on(firmware, port)?)
     }
 
-    /// As [`Bench::with_rig`], executed as `execution` says.
+    /// As [`Rigged::with_rig`], executed as `execution` says.
     ///
     /// # Errors
     /// As there.
@@ -93,7 +93,7 @@ impl Bench {
         Self { emulator, client }
     }
 
-    /// Keeps the run in a file, for [`Bench::go_on`]. A new conversation begins, here as there, so that
+    /// Keeps the run in a file, for [`Rigged::go_on`]. A new conversation begins, here as there, so that
     /// both go on alike.
     ///
     /// # Errors
@@ -127,7 +127,7 @@ impl Bench {
     /// what it is used for from here on shows.
     ///
     /// # Errors
-    /// As [`Bench::unused_stack_bytes`], and when the processor does not sleep within 10 ms.
+    /// As [`Rigged::unused_stack_bytes`], and when the processor does not sleep within 10 ms.
     pub fn paint_stack(&self) -> Result<(), Fault> {
         let mut board = self.board();
         let (end, start) = (board.symbol("_stack_end")?, board.symbol("_stack_start")?);

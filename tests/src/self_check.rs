@@ -1,8 +1,8 @@
 //! Checks of the reference by reciprocity with known truth: drawn calibrators, read as an instrument reads them,
 //! evaluated by the shipping code, judged by the twin's oracle.
 
-use crate::bench::{Bench, Fault, point, reference_point, true_certificate};
 use crate::boardless;
+use crate::rigged::{Fault, Rigged, point, reference_point, true_certificate};
 use calib_core::point::{PointResult, PointSpec};
 use calib_core::point_state::PointState;
 use calib_core::settings::Settings;
@@ -120,7 +120,7 @@ pub fn linear(seed: u64) -> SelfCheckDraw {
 /// # Errors
 /// Those of the link; what the evaluation refuses.
 pub fn by_image(
-    bench: &mut Bench,
+    rigged: &mut Rigged,
     draw: &SelfCheckDraw,
     levels: &[Level],
 ) -> Result<Evaluation, Fault> {
@@ -137,10 +137,10 @@ pub fn by_image(
     let mut records: Vec<Record> = Vec::new();
     for (mounting, input) in session::RUNS {
         // 4 K: as it is after some runs.
-        bench.mount(&draw.loaded(mounting, input, if mounting.is_some() { 4.5 } else { 4.0 }));
-        let id = bench.run_held(&list(mounting.is_some()))?.record_id;
-        records.push(record::decode(&bench.record(id)?)?);
-        bench.client.release(id)?;
+        rigged.mount(&draw.loaded(mounting, input, if mounting.is_some() { 4.5 } else { 4.0 }));
+        let id = rigged.run_held(&list(mounting.is_some()))?.record_id;
+        records.push(record::decode(&rigged.record(id)?)?);
+        rigged.client.release(id)?;
     }
     let records: Vec<&Record> = records.iter().collect();
     Ok(evaluate(&Runs::from_records(&records)?, &equipment(draw))?)

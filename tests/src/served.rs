@@ -1,7 +1,7 @@
 //! `calib serve` as a process of its own.
 #![cfg(unix)]
 
-use crate::bench::Fault;
+use crate::rigged::Fault;
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};

@@ -1,6 +1,6 @@
 //! Many draws on emulated instruments, on all cores.
 
-use crate::bench::{Bench, Fault};
+use crate::rigged::{Fault, Rigged};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 
@@ -10,13 +10,13 @@ use std::sync::{Mutex, PoisonError};
 const TURN: u64 = 25;
 
 /// Carries out draws 0 to `draws` by `one` and adds what comes of them; `progress` hears how many are
-/// done. The first call of `one` in a turn gets no bench and leaves the one it booted.
+/// done. The first call of `one` in a turn gets no instrument and leaves the one it booted.
 ///
 /// # Errors
 /// The first draw that could not be carried out.
 pub fn all<T: Default + Send>(
     draws: u64,
-    one: impl Fn(&mut Option<Bench>, u64) -> Result<T, Fault> + Sync,
+    one: impl Fn(&mut Option<Rigged>, u64) -> Result<T, Fault> + Sync,
     add: impl Fn(&mut T, T) + Sync,
     progress: impl Fn(u64) + Sync,
 ) -> Result<T, Fault> {
@@ -30,9 +30,9 @@ pub fn all<T: Default + Send>(
             }
             // One instrument sees many devices, as in life; booting it for each
             // would take as long as the measurement.
-            let mut bench = None;
+            let mut rigged = None;
             for draw in first..draws.min(first + TURN) {
-                let outcome = one(&mut bench, draw);
+                let outcome = one(&mut rigged, draw);
                 let mut total = total.lock().unwrap_or_else(PoisonError::into_inner);
                 match outcome {
                     Ok(tally) => add(&mut total.0, tally),

@@ -1,6 +1,6 @@
-//! A board as it leaves the bench: the loader in sector 0, image and manifest in slot A. And updates for it.
+//! A board as it leaves the workshop: the loader in sector 0, image and manifest in slot A. And updates for it.
 
-use crate::bench::Fault;
+use crate::rigged::Fault;
 use calib_boot::file::{self, Part};
 use calib_boot::layout::Slot;
 use calib_boot::manifest::{Manifest, Seed, Version, sign};

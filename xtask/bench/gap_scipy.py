@@ -95,7 +95,7 @@ class Dataset:
 
 
 class State:
-    """What effects act on."""
+    """A row of responses, on which effects act."""
 
     def __init__(self, d, theta):
         m, k, c, bl, r, l = d.exciter * (1 + d.exciter_u * theta[2:8])

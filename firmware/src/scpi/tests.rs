@@ -50,7 +50,7 @@ fn stored(id: u32) -> Vec<u8> {
 
 /// Measures 0.01 V/(m/s2) at once; its run is over when a test says so.
 #[derive(Default)]
-struct Bench {
+struct Rigged {
     spec: Option<RunSpec>,
     running: bool,
     refused: Option<Reason>,
@@ -64,7 +64,7 @@ struct Bench {
     hand_gone: bool,
 }
 
-impl Instrument for Bench {
+impl Instrument for Rigged {
     fn admit(&mut self, request: &Request) -> Result<(), Refusal> {
         match request {
             Request::Start(_) if self.other_host => Err(Refusal::OtherHost),
@@ -228,10 +228,10 @@ impl Instrument for Bench {
 }
 
 /// Sends bytes and returns all that comes back; nothing here ever waits.
-fn send(link: &mut Link, bench: &mut Bench, bytes: &[u8]) -> Vec<u8> {
+fn send(link: &mut Link, rigged: &mut Rigged, bytes: &[u8]) -> Vec<u8> {
     let mut heard = Vec::new();
     for byte in bytes {
-        let future = pin!(link.link.push(*byte, &mut link.console, bench));
+        let future = pin!(link.link.push(*byte, &mut link.console, rigged));
         match future.poll(&mut Context::from_waker(Waker::noop())) {
             Poll::Ready(Some((answer, _))) => heard.extend_from_slice(answer),
             Poll::Ready(None) => {}
@@ -241,14 +241,14 @@ fn send(link: &mut Link, bench: &mut Bench, bytes: &[u8]) -> Vec<u8> {
     heard
 }
 
-fn line(link: &mut Link, bench: &mut Bench, line: &str) -> String {
-    let heard = send(link, bench, format!("{line}\n").as_bytes());
+fn line(link: &mut Link, rigged: &mut Rigged, line: &str) -> String {
+    let heard = send(link, rigged, format!("{line}\n").as_bytes());
     String::from_utf8(heard).expect("text")
 }
 
 /// Answer once the run is over, or before it.
-fn waited(link: &mut Link, bench: &mut Bench) -> String {
-    let future = pin!(link.link.poll(&mut link.console, bench));
+fn waited(link: &mut Link, rigged: &mut Rigged) -> String {
+    let future = pin!(link.link.poll(&mut link.console, rigged));
     match future.poll(&mut Context::from_waker(Waker::noop())) {
         Poll::Ready(answer) => {
             String::from_utf8(answer.unwrap_or_default().to_vec()).expect("text")
@@ -277,9 +277,9 @@ fn responses(heard: &[u8]) -> Vec<Response> {
 
 #[test]
 fn a_point_is_measured_by_text_alone() {
-    let (mut link, mut bench) = (Link::new(), Bench::default());
-    let mut say = |bench: &mut Bench, text: &str| line(&mut link, bench, text);
-    let b = &mut bench;
+    let (mut link, mut rigged) = (Link::new(), Rigged::default());
+    let mut say = |rigged: &mut Rigged, text: &str| line(&mut link, rigged, text);
+    let b = &mut rigged;
     assert_eq!(
         say(b, "*IDN?"),
         "calib,Field Vibration Calibrator,A7,1.2.3\n"
@@ -324,37 +324,37 @@ fn a_point_is_measured_by_text_alone() {
 
 #[test]
 fn the_self_test_answers_with_the_first_line_that_fails() {
-    let (mut link, mut bench) = (Link::new(), Bench::default());
-    assert_eq!(line(&mut link, &mut bench, "*TST?"), "0\n");
-    bench.deaf = true;
+    let (mut link, mut rigged) = (Link::new(), Rigged::default());
+    assert_eq!(line(&mut link, &mut rigged, "*TST?"), "0\n");
+    rigged.deaf = true;
     // docs/scpi.md: the gain of the drive is line 7.
-    assert_eq!(line(&mut link, &mut bench, "*TST?"), "7\n");
-    bench.running = true;
-    let answer = line(&mut link, &mut bench, "*TST?;SYST:ERR?");
+    assert_eq!(line(&mut link, &mut rigged, "*TST?"), "7\n");
+    rigged.running = true;
+    let answer = line(&mut link, &mut rigged, "*TST?;SYST:ERR?");
     assert!(answer.starts_with("-1;-213,"), "{answer}");
 }
 
 #[test]
 fn the_end_of_a_run_is_waited_for_and_stop_gets_through() {
-    let (mut link, mut bench) = (Link::new(), Bench::default());
-    assert_eq!(line(&mut link, &mut bench, "INIT;*OPC?"), "");
+    let (mut link, mut rigged) = (Link::new(), Rigged::default());
+    assert_eq!(line(&mut link, &mut rigged, "INIT;*OPC?"), "");
     assert!(link.console.awaits_end());
-    assert_eq!(waited(&mut link, &mut bench), "");
-    line(&mut link, &mut bench, "ABOR");
-    assert!(!bench.running);
-    assert_eq!(waited(&mut link, &mut bench), "1\n");
+    assert_eq!(waited(&mut link, &mut rigged), "");
+    line(&mut link, &mut rigged, "ABOR");
+    assert!(!rigged.running);
+    assert_eq!(waited(&mut link, &mut rigged), "1\n");
     assert!(!link.console.awaits_end());
-    assert_eq!(waited(&mut link, &mut bench), "");
+    assert_eq!(waited(&mut link, &mut rigged), "");
     // Without a question only the register knows.
-    line(&mut link, &mut bench, "*CLS;INIT;*OPC");
-    assert_eq!(line(&mut link, &mut bench, "*ESR?"), "0\n");
-    bench.running = false;
-    assert_eq!(line(&mut link, &mut bench, "*ESR?"), "1\n");
+    line(&mut link, &mut rigged, "*CLS;INIT;*OPC");
+    assert_eq!(line(&mut link, &mut rigged, "*ESR?"), "0\n");
+    rigged.running = false;
+    assert_eq!(line(&mut link, &mut rigged, "*ESR?"), "1\n");
 }
 
 #[test]
 fn what_follows_a_wait_is_answered_after_it() {
-    let (mut link, mut bench) = (Link::new(), Bench::default());
+    let (mut link, mut rigged) = (Link::new(), Rigged::default());
     for (text, at_once, then) in [
         // Before, what followed a question that waited was lost.
         ("INIT;*OPC?;FETC:SENS?", "", "1;1E-2\n"),
@@ -370,63 +370,63 @@ fn what_follows_a_wait_is_answered_after_it() {
         ("CONF:ACC 20;INIT;*WAI;:CONF:ACC?", "", "2E1\n"),
         ("INIT;*WAI", "", ""),
     ] {
-        assert_eq!(line(&mut link, &mut bench, text), at_once, "{text}");
-        assert!(bench.running, "{text}");
-        assert_eq!(waited(&mut link, &mut bench), "", "{text}");
-        bench.running = false;
-        assert_eq!(waited(&mut link, &mut bench), then, "{text}");
+        assert_eq!(line(&mut link, &mut rigged, text), at_once, "{text}");
+        assert!(rigged.running, "{text}");
+        assert_eq!(waited(&mut link, &mut rigged), "", "{text}");
+        rigged.running = false;
+        assert_eq!(waited(&mut link, &mut rigged), then, "{text}");
     }
-    let spec = bench.spec.clone().expect("a run");
+    let spec = rigged.spec.clone().expect("a run");
     assert_eq!(spec.points[0].frequency_hz, 250.0);
-    assert_eq!(line(&mut link, &mut bench, "READ?"), "");
-    bench.running = false;
-    let all = waited(&mut link, &mut bench);
+    assert_eq!(line(&mut link, &mut rigged, "READ?"), "");
+    rigged.running = false;
+    let all = waited(&mut link, &mut rigged);
     let words: Vec<&str> = all.trim().split(',').collect();
     assert_eq!((words[0], words[1], words[3]), ("1E-2", "9E1", "VALID"));
-    assert_eq!(line(&mut link, &mut bench, "SYST:ERR:COUN?"), "0\n");
+    assert_eq!(line(&mut link, &mut rigged, "SYST:ERR:COUN?"), "0\n");
     // A line at a time waits.
-    line(&mut link, &mut bench, "READ:SENS?");
-    line(&mut link, &mut bench, "*OPC?");
-    bench.running = false;
-    assert_eq!(waited(&mut link, &mut bench), "1\n");
-    assert!(line(&mut link, &mut bench, "SYST:ERR?").starts_with("-410,"));
+    line(&mut link, &mut rigged, "READ:SENS?");
+    line(&mut link, &mut rigged, "*OPC?");
+    rigged.running = false;
+    assert_eq!(waited(&mut link, &mut rigged), "1\n");
+    assert!(line(&mut link, &mut rigged, "SYST:ERR?").starts_with("-410,"));
 }
 
 #[test]
 fn a_measurement_that_cannot_begin_is_answered_at_once() {
-    let (mut link, mut bench) = (Link::new(), Bench::default());
+    let (mut link, mut rigged) = (Link::new(), Rigged::default());
     for (text, code) in [
         ("MEAS:SENS? 30 kHz", "-222"),
         ("MEAS:SENS? 250,2000", "-222"),
         ("MEAS:SENS? 160,10,5", "-108"),
     ] {
-        assert_eq!(line(&mut link, &mut bench, text), "9.91E37\n", "{text}");
-        assert!(bench.spec.is_none(), "{text}");
-        let errors = line(&mut link, &mut bench, "SYST:ERR?;ERR?");
+        assert_eq!(line(&mut link, &mut rigged, text), "9.91E37\n", "{text}");
+        assert!(rigged.spec.is_none(), "{text}");
+        let errors = line(&mut link, &mut rigged, "SYST:ERR?;ERR?");
         assert!(errors.starts_with(&format!("{code},")), "{errors}");
         assert!(errors.contains("-230,"), "{errors}");
         assert_eq!(
-            line(&mut link, &mut bench, "CONF:FREQ?"),
+            line(&mut link, &mut rigged, "CONF:FREQ?"),
             "1.6E2\n",
             "{text}"
         );
     }
-    line(&mut link, &mut bench, "INIT");
-    let answer = line(&mut link, &mut bench, "READ?;SYST:ERR?");
+    line(&mut link, &mut rigged, "INIT");
+    let answer = line(&mut link, &mut rigged, "READ?;SYST:ERR?");
     assert!(
         answer.starts_with("9.91E37,9.91E37,9.91E37,NONE;-213,"),
         "{answer}"
     );
-    bench.running = false;
-    bench.other_host = true;
-    let answer = line(&mut link, &mut bench, "*CLS;READ:STAT?;SYST:ERR?");
+    rigged.running = false;
+    rigged.other_host = true;
+    let answer = line(&mut link, &mut rigged, "*CLS;READ:STAT?;SYST:ERR?");
     assert!(answer.starts_with("NONE;-203,"), "{answer}");
 }
 
 #[test]
 fn the_status_byte_sums_up_what_its_masks_let_through() {
-    let (mut link, mut bench) = (Link::new(), Bench::default());
-    let mut say = |text: &str| line(&mut link, &mut bench, text);
+    let (mut link, mut rigged) = (Link::new(), Rigged::default());
+    let mut say = |text: &str| line(&mut link, &mut rigged, text);
     assert_eq!(say("*STB?;*ESE?;*SRE?;*ESR?"), "0;0;0;128\n", "power on");
     // Bit 6 has no mask; what is no whole number is rounded.
     assert_eq!(say("*SRE 255;*SRE?;*ESE 3.6;*ESE?"), "191;4\n");
@@ -446,20 +446,20 @@ fn the_status_byte_sums_up_what_its_masks_let_through() {
 
 #[test]
 fn the_key_is_told_as_people_and_as_programs_compare_it() {
-    let (mut link, mut bench) = (Link::new(), Bench::default());
-    assert_eq!(line(&mut link, &mut bench, "SYST:KEY?"), "\"\",\"\",0\n");
+    let (mut link, mut rigged) = (Link::new(), Rigged::default());
+    assert_eq!(line(&mut link, &mut rigged, "SYST:KEY?"), "\"\",\"\",0\n");
     let public = core::array::from_fn(|index| index as u8);
-    bench.key = Some(DeviceKey { public, since: 7 });
+    rigged.key = Some(DeviceKey { public, since: 7 });
     let whole = "000102030405060708090a0b0c0d0e0f101112131415161718191a1b1c1d1e1f";
     assert_eq!(
-        line(&mut link, &mut bench, "SYST:KEY?"),
+        line(&mut link, &mut rigged, "SYST:KEY?"),
         format!("\"0001 0203 0405 0607\",\"{whole}\",7\n")
     );
 }
 
 #[test]
 fn numbers_that_are_none_are_refused_and_change_nothing() {
-    let (mut link, mut bench) = (Link::new(), Bench::default());
+    let (mut link, mut rigged) = (Link::new(), Rigged::default());
     for (text, code) in [
         ("CONF:FREQ", "-109"),
         ("CONF:FREQ x", "-104"),
@@ -480,57 +480,57 @@ fn numbers_that_are_none_are_refused_and_change_nothing() {
         ("INIT 5", "-108"),
         ("NONSENSE", "-113"),
     ] {
-        assert_eq!(line(&mut link, &mut bench, text).trim(), "");
-        let error = line(&mut link, &mut bench, "SYST:ERR?");
+        assert_eq!(line(&mut link, &mut rigged, text).trim(), "");
+        let error = line(&mut link, &mut rigged, "SYST:ERR?");
         assert!(error.starts_with(&format!("{code},")), "{text}: {error}");
     }
-    let both = line(&mut link, &mut bench, "CONF:FREQ?;CONF:ACC?;SYST:ERR?");
+    let both = line(&mut link, &mut rigged, "CONF:FREQ?;CONF:ACC?;SYST:ERR?");
     assert_eq!(both, "1.6E2;1E1;0,\"No error\"\n");
     for _ in 0..20 {
-        line(&mut link, &mut bench, "X");
+        line(&mut link, &mut rigged, "X");
     }
     let errors: Vec<String> = (0..9)
-        .map(|_| line(&mut link, &mut bench, "SYST:ERR?"))
+        .map(|_| line(&mut link, &mut rigged, "SYST:ERR?"))
         .collect();
     assert!(
         errors[7].starts_with("-350,") && errors[8].starts_with("0,"),
         "{errors:?}"
     );
     let long = "A".repeat(1000);
-    assert_eq!(line(&mut link, &mut bench, &long), "");
-    assert!(line(&mut link, &mut bench, "SYST:ERR?").starts_with("-363,"));
+    assert_eq!(line(&mut link, &mut rigged, &long), "");
+    assert!(line(&mut link, &mut rigged, "SYST:ERR?").starts_with("-363,"));
 }
 
 #[test]
 fn every_record_that_has_room_is_in_the_catalogue() {
-    let (mut link, mut bench) = (Link::new(), Bench::default());
-    assert_eq!(line(&mut link, &mut bench, "MMEM:CAT?"), "0,0\n");
-    bench.records = 40;
-    let list = line(&mut link, &mut bench, "MMEM:CAT?");
+    let (mut link, mut rigged) = (Link::new(), Rigged::default());
+    assert_eq!(line(&mut link, &mut rigged, "MMEM:CAT?"), "0,0\n");
+    rigged.records = 40;
+    let list = line(&mut link, &mut rigged, "MMEM:CAT?");
     assert!(list.starts_with("40000,0,\"1,BIN,1000\",\"2,BIN"), "{list}");
     assert_eq!(list.matches("BIN").count(), 40);
-    bench.records = 550;
-    let list = line(&mut link, &mut bench, "MMEM:CAT?");
+    rigged.records = 550;
+    let list = line(&mut link, &mut rigged, "MMEM:CAT?");
     assert!(
         list.ends_with("\"\n") && list.len() <= MAX_FRAME,
         "whole entries"
     );
-    assert!(line(&mut link, &mut bench, "SYST:ERR?").starts_with("-223,"));
+    assert!(line(&mut link, &mut rigged, "SYST:ERR?").starts_with("-223,"));
 }
 
 #[test]
 fn text_and_frames_take_turns_on_one_link() {
-    let (mut link, mut bench) = (Link::new(), Bench::default());
+    let (mut link, mut rigged) = (Link::new(), Rigged::default());
     // Every sequence number: the first byte of a frame takes every value.
     for sequence in 0..300 {
         let mut bytes = vec![0];
         bytes.extend(frame_of(&Request::Info, sequence));
-        let heard = send(&mut link, &mut bench, &bytes);
+        let heard = send(&mut link, &mut rigged, &bytes);
         assert!(
             matches!(responses(&heard)[..], [Response::Info(_)]),
             "{sequence}"
         );
-        assert_eq!(line(&mut link, &mut bench, "SYST:VERS?"), "1999.0\n");
+        assert_eq!(line(&mut link, &mut rigged, "SYST:VERS?"), "1999.0\n");
     }
 }
 
@@ -539,16 +539,16 @@ fn a_lost_byte_costs_one_repetition_at_most() {
     let mut request = vec![0];
     request.extend(frame_of(&Request::Status, 0x2A2A));
     for lost in 0..request.len() {
-        let (mut link, mut bench) = (Link::new(), Bench::default());
+        let (mut link, mut rigged) = (Link::new(), Rigged::default());
         let mut damaged = request.clone();
         damaged.remove(lost);
-        let first = send(&mut link, &mut bench, &damaged);
-        let second = send(&mut link, &mut bench, &request);
+        let first = send(&mut link, &mut rigged, &damaged);
+        let second = send(&mut link, &mut rigged, &request);
         let count = responses(&first).len() + responses(&second).len();
         assert!(count >= 1, "byte {lost}");
         link.forget();
         assert_eq!(
-            line(&mut link, &mut bench, "SYST:VERS?"),
+            line(&mut link, &mut rigged, "SYST:VERS?"),
             "1999.0\n",
             "byte {lost}"
         );
@@ -557,35 +557,35 @@ fn a_lost_byte_costs_one_repetition_at_most() {
 
 #[test]
 fn a_link_that_was_left_is_found_idle() {
-    let (mut link, mut bench) = (Link::new(), Bench::default());
+    let (mut link, mut rigged) = (Link::new(), Rigged::default());
     assert!(!link.link.is_receiving());
-    send(&mut link, &mut bench, &[0, 7, 7]);
+    send(&mut link, &mut rigged, &[0, 7, 7]);
     assert!(link.link.is_receiving());
     link.forget();
     assert!(!link.link.is_receiving());
-    assert_eq!(line(&mut link, &mut bench, "SYST:VERS?"), "1999.0\n");
+    assert_eq!(line(&mut link, &mut rigged, "SYST:VERS?"), "1999.0\n");
 }
 
 #[test]
 fn a_degraded_instrument_says_what_does_not_work_and_measures_nothing() {
-    let (mut link, mut bench) = (Link::new(), Bench::default());
-    assert_eq!(line(&mut link, &mut bench, "DIAG:DEF?"), "\"\"\n");
-    bench.defects = Defects::NONE.with(Defect::Clock).with(Defect::Archive);
+    let (mut link, mut rigged) = (Link::new(), Rigged::default());
+    assert_eq!(line(&mut link, &mut rigged, "DIAG:DEF?"), "\"\"\n");
+    rigged.defects = Defects::NONE.with(Defect::Clock).with(Defect::Archive);
     assert_eq!(
-        line(&mut link, &mut bench, "DIAG:DEF?"),
+        line(&mut link, &mut rigged, "DIAG:DEF?"),
         "\"Archive,Clock\"\n"
     );
     assert_eq!(
-        line(&mut link, &mut bench, "INIT;SYST:ERR?"),
+        line(&mut link, &mut rigged, "INIT;SYST:ERR?"),
         "-240,\"Hardware error;see DIAG:DEF?\"\n"
     );
 }
 
 #[test]
 fn lists_are_named_and_chosen_under_a_hand_alone() {
-    let (mut link, mut bench) = (Link::new(), Bench::default());
-    let mut ask = |bench: &mut Bench, text: &str| line(&mut link, bench, text);
-    assert_eq!(ask(&mut bench, "LIST:CAT?;CHO?"), "\"\";\"\"\n");
+    let (mut link, mut rigged) = (Link::new(), Rigged::default());
+    let mut ask = |rigged: &mut Rigged, text: &str| line(&mut link, rigged, text);
+    assert_eq!(ask(&mut rigged, "LIST:CAT?;CHO?"), "\"\";\"\"\n");
     for name in ["pump 3", "field"] {
         let band = Band::everywhere(Base::Reference, 0.05);
         let list = StoredList {
@@ -597,59 +597,62 @@ fn lists_are_named_and_chosen_under_a_hand_alone() {
             },
             points: heapless::Vec::new(),
         };
-        bench.lists.store(&list).expect("room");
+        rigged.lists.store(&list).expect("room");
     }
-    assert_eq!(ask(&mut bench, "LIST:CATalog?"), "\"pump 3\",\"field\"\n");
-    assert_eq!(ask(&mut bench, "LIST:CHOose \"field\""), "");
-    assert_eq!(ask(&mut bench, "list:choose?"), "\"field\"\n");
-    bench.hand_gone = true;
+    assert_eq!(ask(&mut rigged, "LIST:CATalog?"), "\"pump 3\",\"field\"\n");
+    assert_eq!(ask(&mut rigged, "LIST:CHOose \"field\""), "");
+    assert_eq!(ask(&mut rigged, "list:choose?"), "\"field\"\n");
+    rigged.hand_gone = true;
     for (wrong, code) in [
         ("LIST:CHO 'pump 3'", "-221,"),
         ("LIST:CHO", "-109,"),
         ("LIST:CHO field", "-104,"),
         ("LIST:CHO 'a name that is longer than any'", "-224,"),
     ] {
-        assert_eq!(ask(&mut bench, wrong), "", "{wrong}");
-        let error = ask(&mut bench, "SYST:ERR?");
+        assert_eq!(ask(&mut rigged, wrong), "", "{wrong}");
+        let error = ask(&mut rigged, "SYST:ERR?");
         assert!(error.starts_with(code), "{wrong}: {error}");
     }
-    bench.hand_gone = false;
-    assert_eq!(ask(&mut bench, "LIST:CHO 'pump'"), "");
-    assert!(ask(&mut bench, "SYST:ERR?").starts_with("-224,"));
-    assert_eq!(ask(&mut bench, "LIST:CHO?"), "\"field\"\n");
-    assert_eq!(ask(&mut bench, "LIST:CHO '';CHO?"), "\"\"\n");
+    rigged.hand_gone = false;
+    assert_eq!(ask(&mut rigged, "LIST:CHO 'pump'"), "");
+    assert!(ask(&mut rigged, "SYST:ERR?").starts_with("-224,"));
+    assert_eq!(ask(&mut rigged, "LIST:CHO?"), "\"field\"\n");
+    assert_eq!(ask(&mut rigged, "LIST:CHO '';CHO?"), "\"\"\n");
 }
 
 #[test]
 fn a_list_is_measured_by_text_alone() {
-    let (mut link, mut bench) = (Link::new(), Bench::default());
-    assert_eq!(line(&mut link, &mut bench, "CONF:LIST?"), "\n");
+    let (mut link, mut rigged) = (Link::new(), Rigged::default());
+    assert_eq!(line(&mut link, &mut rigged, "CONF:LIST?"), "\n");
     assert_eq!(
-        line(&mut link, &mut bench, "CONF:LIST 160, 80, 0.5 kHz;ACC 20"),
+        line(&mut link, &mut rigged, "CONF:LIST 160, 80, 0.5 kHz;ACC 20"),
         ""
     );
-    assert_eq!(line(&mut link, &mut bench, "CONF:LIST?"), "1.6E2,8E1,5E2\n");
     assert_eq!(
-        line(&mut link, &mut bench, "FETC:LIST?;SYST:ERR?")
+        line(&mut link, &mut rigged, "CONF:LIST?"),
+        "1.6E2,8E1,5E2\n"
+    );
+    assert_eq!(
+        line(&mut link, &mut rigged, "FETC:LIST?;SYST:ERR?")
             .split(';')
             .count(),
         3
     );
-    line(&mut link, &mut bench, "*CLS");
+    line(&mut link, &mut rigged, "*CLS");
     assert_eq!(
-        line(&mut link, &mut bench, "READ:LIST?"),
+        line(&mut link, &mut rigged, "READ:LIST?"),
         "",
         "answered at its end"
     );
-    let spec = bench.spec.clone().expect("a run");
+    let spec = rigged.spec.clone().expect("a run");
     let points: Vec<(f32, f32)> = spec
         .points
         .iter()
         .map(|point| (point.frequency_hz, point.acceleration_rms_ms2))
         .collect();
     assert_eq!(points, [(160.0, 20.0), (80.0, 20.0), (500.0, 20.0)]);
-    bench.running = false;
-    let all = waited(&mut link, &mut bench);
+    rigged.running = false;
+    let all = waited(&mut link, &mut rigged);
     let words: Vec<&str> = all.trim().split(',').collect();
     assert_eq!(words.len(), 15);
     assert_eq!(
@@ -658,24 +661,24 @@ fn a_list_is_measured_by_text_alone() {
     );
     assert_eq!((words[10], words[14]), ("5E2", "VALID"));
     // One point that was measured is no list, and a list no point.
-    assert_eq!(line(&mut link, &mut bench, "FETC:SENS?"), "9.91E37\n");
-    bench.refused = Some(Reason::Hum);
-    let refused = line(&mut link, &mut bench, "*CLS;FETC:LIST?");
+    assert_eq!(line(&mut link, &mut rigged, "FETC:SENS?"), "9.91E37\n");
+    rigged.refused = Some(Reason::Hum);
+    let refused = line(&mut link, &mut rigged, "*CLS;FETC:LIST?");
     assert!(
         refused.ends_with("5E2,9.91E37,9.91E37,9.91E37,Hum\n"),
         "{refused}"
     );
-    assert!(line(&mut link, &mut bench, "SYST:ERR?").starts_with("-300,"));
+    assert!(line(&mut link, &mut rigged, "SYST:ERR?").starts_with("-300,"));
     // Said anew and measured in one question.
-    assert_eq!(line(&mut link, &mut bench, "MEAS:LIST? 20,40"), "");
-    assert_eq!(bench.spec.as_ref().expect("a run").points.len(), 2);
-    bench.running = false;
-    assert_eq!(waited(&mut link, &mut bench).split(',').count(), 10);
+    assert_eq!(line(&mut link, &mut rigged, "MEAS:LIST? 20,40"), "");
+    assert_eq!(rigged.spec.as_ref().expect("a run").points.len(), 2);
+    rigged.running = false;
+    assert_eq!(waited(&mut link, &mut rigged).split(',').count(), 10);
 }
 
 #[test]
 fn a_list_that_cannot_be_is_refused_and_changes_nothing() {
-    let (mut link, mut bench) = (Link::new(), Bench::default());
+    let (mut link, mut rigged) = (Link::new(), Rigged::default());
     let many = vec!["99"; 33].join(",");
     for (text, code) in [
         ("CONF:LIST 160,30 kHz", "-222,"),
@@ -685,27 +688,27 @@ fn a_list_that_cannot_be_is_refused_and_changes_nothing() {
         ("CONF:LIST", "-109,"),
         ("INIT:LIST", "-222,"),
     ] {
-        assert_eq!(line(&mut link, &mut bench, text), "", "{text}");
-        let error = line(&mut link, &mut bench, "SYST:ERR?");
+        assert_eq!(line(&mut link, &mut rigged, text), "", "{text}");
+        let error = line(&mut link, &mut rigged, "SYST:ERR?");
         assert!(error.starts_with(code), "{text}: {error}");
-        assert_eq!(line(&mut link, &mut bench, "CONF:LIST?"), "\n", "{text}");
+        assert_eq!(line(&mut link, &mut rigged, "CONF:LIST?"), "\n", "{text}");
     }
     // 100 m/s2 at 20 Hz are more than the exciter's velocity: nothing moves.
     let answer = line(
         &mut link,
-        &mut bench,
+        &mut rigged,
         "CONF:ACC 100;:MEAS:LIST? 160,20;SYST:ERR?",
     );
     assert!(answer.contains("NONE;-222,"), "{answer}");
-    assert!(bench.spec.is_none());
+    assert!(rigged.spec.is_none());
 }
 
 #[test]
 fn a_record_is_read_as_blocks() {
-    let (mut link, mut bench) = (Link::new(), Bench::default());
-    bench.records = 2;
+    let (mut link, mut rigged) = (Link::new(), Rigged::default());
+    rigged.records = 2;
     let mut block = |link: &mut Link, text: &str| {
-        let answer = send(link, &mut bench, format!("{text}\n").as_bytes());
+        let answer = send(link, &mut rigged, format!("{text}\n").as_bytes());
         assert_eq!(answer[..2], *b"#4", "{text}");
         let length: usize = String::from_utf8_lossy(&answer[2..6])
             .parse()
@@ -737,8 +740,8 @@ fn a_record_is_read_as_blocks() {
         ("MMEM:DATA? x", "-104,"),
         ("MMEM:DATA? 1,-1", "-104,"),
     ] {
-        assert_eq!(line(&mut link, &mut bench, text), "#10\n", "{text}");
-        let error = line(&mut link, &mut bench, "SYST:ERR?");
+        assert_eq!(line(&mut link, &mut rigged, text), "#10\n", "{text}");
+        let error = line(&mut link, &mut rigged, "SYST:ERR?");
         assert!(error.starts_with(code), "{text}: {error}");
     }
 }

@@ -4,8 +4,8 @@
 
 mod tables;
 
-use calib_tests::bench::Fault;
 use calib_tests::front_end::{folder, ngspice, response, spread};
+use calib_tests::rigged::Fault;
 use ngspice::Run;
 use serde_json::{Value, json};
 

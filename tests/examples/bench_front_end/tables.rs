@@ -1,10 +1,10 @@
 //! The tables of the bench, each printed and returned as JSON.
 
-use calib_tests::bench::Fault;
 use calib_tests::front_end::images::{self, Filters, Scene};
 use calib_tests::front_end::ngspice::Run;
 use calib_tests::front_end::response::{Line, Value as Path};
 use calib_tests::front_end::spread::{self, Spread};
+use calib_tests::rigged::Fault;
 use calib_twin::oracle;
 use calib_twin::rig::Rig;
 use serde_json::{Value, json};

@@ -3,7 +3,7 @@
 use calib_core::point::PointResult;
 use calib_link::session;
 use calib_protocol::record::{self, Sha256Sum};
-use calib_tests::bench::{Bench, Fault};
+use calib_tests::rigged::{Fault, Rigged};
 use calib_twin::rig::Rig;
 use calib_twin::runner::Execution;
 use serde_json::{Value, json};
@@ -79,15 +79,15 @@ pub(crate) fn measure() -> Result<(Value, Vec<PointResult>), Fault> {
 }
 
 fn speed(execution: Execution) -> Result<(Speed, Vec<PointResult>), Fault> {
-    let mut bench = Bench::executed(execution, &Rig::standard())?;
+    let mut rigged = Rigged::executed(execution, &Rig::standard())?;
     let mut records = Sha256Sum::default();
-    let cold = lap(&mut bench, &mut records)?;
+    let cold = lap(&mut rigged, &mut records)?;
     let mut laps = (0..WARM_RUNS)
-        .map(|_| lap(&mut bench, &mut records))
+        .map(|_| lap(&mut rigged, &mut records))
         .collect::<Result<Vec<Lap>, Fault>>()?;
     laps.sort_by(|a, b| a.of_processor.total_cmp(&b.of_processor));
     let median = laps.swap_remove(WARM_RUNS / 2);
-    let (elapsed, instructions) = stand(&bench);
+    let (elapsed, instructions) = stand(&rigged);
     let speed = Speed {
         cold: cold.of_wall,
         warm: median.of_wall,
@@ -103,15 +103,15 @@ fn speed(execution: Execution) -> Result<(Speed, Vec<PointResult>), Fault> {
 }
 
 /// Runs the default list, and adds its record to the sum.
-fn lap(bench: &mut Bench, records: &mut Sha256Sum) -> Result<Lap, Fault> {
-    let (from, before) = stand(bench);
+fn lap(rigged: &mut Rigged, records: &mut Sha256Sum) -> Result<Lap, Fault> {
+    let (from, before) = stand(rigged);
     let (start, processor_s) = (Instant::now(), processor_s()?);
-    let outcome = bench.run(&session::default_points(10.0))?;
+    let outcome = rigged.run(&session::default_points(10.0))?;
     let wall_s = start.elapsed().as_secs_f64();
     let processor_s = self::processor_s()? - processor_s;
-    let (to, after) = stand(bench);
+    let (to, after) = stand(rigged);
     let (virtual_s, instructions) = ((to - from).as_secs_f64(), after - before);
-    let content = bench.record(outcome.record_id)?;
+    let content = rigged.record(outcome.record_id)?;
     *records = record::digest(&[records.as_slice(), &content].concat());
     Ok(Lap {
         points: outcome.points,
@@ -122,8 +122,8 @@ fn lap(bench: &mut Bench, records: &mut Sha256Sum) -> Result<Lap, Fault> {
 }
 
 /// Virtual time and instructions since power came.
-fn stand(bench: &Bench) -> (Duration, u64) {
-    let board = bench.board();
+fn stand(rigged: &Rigged) -> (Duration, u64) {
+    let board = rigged.board();
     (board.elapsed(), board.instructions())
 }
 

@@ -8,7 +8,7 @@ use calib_core::converter::Width;
 use calib_core::correlation::{Block, Correlator, FoldMemory};
 use calib_core::point::PointResult;
 use calib_core::tone::Tone;
-use calib_tests::bench::Fault;
+use calib_tests::rigged::Fault;
 use serde_json::{Value, json};
 use std::hint::black_box;
 use std::time::{Duration, Instant};

@@ -1,6 +1,6 @@
 //! Cost of the rig without the processor: a sample of the plant, a steady state, a data set.
 
-use calib_tests::bench::Fault;
+use calib_tests::rigged::Fault;
 use calib_twin::dataset::{Nominal, Options, generate, standard_design};
 use calib_twin::effects::ActiveEffect;
 use calib_twin::plant::Plant;

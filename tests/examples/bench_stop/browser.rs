@@ -9,9 +9,9 @@ use crate::device::Way;
 use crate::host::{Host, Obstacles};
 use crate::relay::Relay;
 use crate::{Situation, until};
-use calib_tests::bench::Fault;
 use calib_tests::browser::{Browser, Tab};
 use calib_tests::live::Live;
+use calib_tests::rigged::Fault;
 use calib_twin::rig::Rig;
 use rand_chacha::ChaCha20Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -59,7 +59,7 @@ pub(crate) struct Clicks {
 }
 
 /// A page with its tabs, and what is behind it.
-struct Bench {
+struct Rigged {
     page: Browser,
     _tabs: Vec<Tab>,
     _obstacles: Obstacles,
@@ -69,7 +69,7 @@ struct Bench {
     _folder: tempfile::TempDir,
 }
 
-impl Bench {
+impl Rigged {
     fn begin(driver: &Path, situation: &Situation) -> Result<Self, Fault> {
         let folder = tempfile::tempdir()?;
         let live = Live::power_on(Rig::draw(2))?;
@@ -99,19 +99,19 @@ pub(crate) fn clicks(
     tries: usize,
     seed: u64,
 ) -> Result<Clicks, Fault> {
-    let bench = Bench::begin(driver, situation)?;
+    let rigged = Rigged::begin(driver, situation)?;
     let mut draws = ChaCha20Rng::seed_from_u64(seed);
     let mut clicks = Clicks::default();
     for _ in 0..tries {
-        bench.move_exciter()?;
+        rigged.move_exciter()?;
         std::thread::sleep(Duration::from_millis(u64::from(draws.next_u32() % 1500)));
         let before = (clicks.alarms, clicks.told);
-        bench.relay.behave(situation.way);
-        let with_lag = bench.stop(situation.way)?;
-        let time = with_lag.saturating_sub(bench.live.behind_at_rest());
-        bench.relay.behave(Way::Plain);
-        bench.settle()?;
-        let number = |name: &str| bench.page.value(&format!("window.{name}"));
+        rigged.relay.behave(situation.way);
+        let with_lag = rigged.stop(situation.way)?;
+        let time = with_lag.saturating_sub(rigged.live.behind_at_rest());
+        rigged.relay.behave(Way::Plain);
+        rigged.settle()?;
+        let number = |name: &str| rigged.page.value(&format!("window.{name}"));
         clicks.alarms = number("alarms")?.as_u64().ok_or("no count")?;
         clicks.told = number("told")?.as_u64().ok_or("no count")?;
         clicks.latest_alarm_ms = number("alarm_ms")?.as_f64().ok_or("no time")?;
@@ -138,7 +138,7 @@ fn open(page: &Browser, url: &str) -> Result<Vec<Tab>, Fault> {
     Ok(tabs)
 }
 
-impl Bench {
+impl Rigged {
     fn move_exciter(&self) -> Result<(), Fault> {
         let begun = Instant::now();
         while self.live.at_rest_since().is_some() {

@@ -1,6 +1,6 @@
 //! The server of the page, and what is put in the way of a stop.
 
-use calib_tests::bench::Fault;
+use calib_tests::rigged::Fault;
 use calib_tests::served::Served;
 use serde_json::Value;
 use std::io::{ErrorKind, Read, Write};

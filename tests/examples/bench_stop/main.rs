@@ -12,7 +12,7 @@ mod host;
 mod instrument;
 mod relay;
 
-use calib_tests::bench::Fault;
+use calib_tests::rigged::Fault;
 use device::{Device, Way};
 use host::{Host, Obstacles};
 use rand_chacha::ChaCha20Rng;

@@ -2,7 +2,7 @@
 //! calibrator answers comes late or never.
 
 use crate::device::{DRIP, REPEAT, Way};
-use calib_tests::bench::Fault;
+use calib_tests::rigged::Fault;
 use std::collections::VecDeque;
 use std::io::{self, ErrorKind, Read, Write};
 use std::net::{Shutdown, TcpListener, TcpStream};

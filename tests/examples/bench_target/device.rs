@@ -6,7 +6,7 @@ use calib_link::session;
 use calib_link::{Client, RetryPolicy};
 use calib_protocol::message::RunSpec;
 use calib_protocol::record::RunLabels;
-use calib_tests::bench::{Bench, Fault};
+use calib_tests::rigged::{Fault, Rigged};
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;
 use calib_twin::runner::{Emulator, Firmware, Mark, Passages};
@@ -34,9 +34,9 @@ const BUFFER: Duration = Duration::from_millis(10);
 /// Measures everything that needs the whole image.
 pub(crate) fn measure() -> Result<Vec<Row>, Fault> {
     let mut rows = vec![boot()?];
-    let mut bench = Bench::with_rig(&Rig::standard())?;
-    let idle = cycles_per_pair(&bench, Duration::from_secs(1))?;
-    let (busy, latency) = run(&mut bench)?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
+    let idle = cycles_per_pair(&rigged, Duration::from_secs(1))?;
+    let (busy, latency) = run(&mut rigged)?;
     let share = |instructions: f64| 100.0 * instructions * RATE_HZ / CLOCK_HZ;
     let milliseconds = |instructions: u64| 1000.0 * instructions as f64 / CLOCK_HZ;
     rows.push(Row::new("whole image at rest", idle, "instr/pair"));
@@ -58,8 +58,8 @@ pub(crate) fn measure() -> Result<Vec<Row>, Fault> {
             ),
         ),
     );
-    rows.extend(storing(&mut bench)?);
-    rows.extend(download(&mut bench)?);
+    rows.extend(storing(&mut rigged)?);
+    rows.extend(download(&mut rigged)?);
     Ok(rows)
 }
 
@@ -84,8 +84,8 @@ fn boot() -> Result<Row, Fault> {
 }
 
 /// Instructions executed per sample pair over `duration`.
-fn cycles_per_pair(bench: &Bench, duration: Duration) -> Result<f64, Fault> {
-    let mut board = bench.board();
+fn cycles_per_pair(rigged: &Rigged, duration: Duration) -> Result<f64, Fault> {
+    let mut board = rigged.board();
     let (instructions, pairs) = (board.instructions(), board.sample_pairs());
     board.run_for(duration)?;
     let instructions = board.instructions() - instructions;
@@ -94,57 +94,57 @@ fn cycles_per_pair(bench: &Bench, duration: Duration) -> Result<f64, Fault> {
 
 /// The default list up to its last point: instructions per pair, and the way from
 /// a buffer's interrupt to the command it ends in.
-fn run(bench: &mut Bench) -> Result<(f64, Passages), Fault> {
+fn run(rigged: &mut Rigged) -> Result<(f64, Passages), Fault> {
     let firmware = Firmware::shipping()?;
     // The controller's interrupt for the converters, and what the measuring task
     // counts up once the command for the drive is out.
     let from = Mark::Arrival(firmware.symbol("DMA1_STREAM0")?);
     let to = Mark::Write(firmware.symbol_at_path(&["state", "MEASURE_ALIVE"])?);
-    start(bench)?;
-    let (instructions, pairs) = counters(bench);
-    let passages = bench.board().watch_passages(from, to, WATCHED)?;
-    while !is_at_last_point(bench)? {
-        bench.client.wait(Duration::from_millis(50))?;
+    start(rigged)?;
+    let (instructions, pairs) = counters(rigged);
+    let passages = rigged.board().watch_passages(from, to, WATCHED)?;
+    while !is_at_last_point(rigged)? {
+        rigged.client.wait(Duration::from_millis(50))?;
     }
-    let (instructions_after, pairs_after) = counters(bench);
+    let (instructions_after, pairs_after) = counters(rigged);
     let per_pair = (instructions_after - instructions) as f64 / (pairs_after - pairs) as f64;
     Ok((per_pair, passages))
 }
 
-fn counters(bench: &Bench) -> (u64, u64) {
-    let board = bench.board();
+fn counters(rigged: &Rigged) -> (u64, u64) {
+    let board = rigged.board();
     (board.instructions(), board.sample_pairs())
 }
 
-fn start(bench: &mut Bench) -> Result<(), Fault> {
+fn start(rigged: &mut Rigged) -> Result<(), Fault> {
     let points = session::default_points(10.0);
-    bench.client.start(RunSpec {
+    rigged.client.start(RunSpec {
         points: points.into_iter().collect(),
         excitation: calib_core::point::ExcitationKind::SingleSine,
         labels: RunLabels::default(),
     })?;
-    bench.client.wait(Duration::from_millis(100))?;
+    rigged.client.wait(Duration::from_millis(100))?;
     Ok(())
 }
 
-fn is_at_last_point(bench: &mut Bench) -> Result<bool, Fault> {
-    let status = bench.client.status()?;
+fn is_at_last_point(rigged: &mut Rigged) -> Result<bool, Fault> {
+    let status = rigged.client.status()?;
     Ok(!status.state.is_exciting() || status.point + 1 == status.points)
 }
 
 /// Time the flash is at work for a record of the default list: from its last point
 /// until the run has ended.
-fn storing(bench: &mut Bench) -> Result<Vec<Row>, Fault> {
-    let before = bench.board().flash_watch().operations();
+fn storing(rigged: &mut Rigged) -> Result<Vec<Row>, Fault> {
+    let before = rigged.board().flash_watch().operations();
     let mut working = Duration::ZERO;
     loop {
-        working += flash_work(bench)?;
-        if !bench.client.status()?.state.is_running() {
+        working += flash_work(rigged)?;
+        if !rigged.client.status()?.state.is_running() {
             break;
         }
     }
-    let words = bench.board().flash_watch().operations() - before;
-    let bytes = record_bytes(bench)?;
+    let words = rigged.board().flash_watch().operations() - before;
+    let bytes = record_bytes(rigged)?;
     let limit = (bytes / WORD_BYTES).ceil() * WORD_S * 1000.0;
     let note = format!("{bytes} bytes take {words} flash words of 32 bytes at 0.1 ms");
     let milliseconds = working.as_secs_f64() * 1000.0;
@@ -154,14 +154,14 @@ fn storing(bench: &mut Bench) -> Result<Vec<Row>, Fault> {
 }
 
 /// How long the flash is at work until it has rested for a while.
-fn flash_work(bench: &mut Bench) -> Result<Duration, Fault> {
+fn flash_work(rigged: &mut Rigged) -> Result<Duration, Fault> {
     const STEP: Duration = Duration::from_micros(200);
     const REST_STEPS: u32 = 500;
-    let mut seen = bench.board().flash_watch().operations();
+    let mut seen = rigged.board().flash_watch().operations();
     let (mut working, mut rest) = (0, 0);
     while rest < REST_STEPS {
-        bench.client.wait(STEP)?;
-        let now = bench.board().flash_watch().operations();
+        rigged.client.wait(STEP)?;
+        let now = rigged.board().flash_watch().operations();
         (working, rest) = match now > seen {
             true => (working + 1, 0),
             false => (working, rest + 1),
@@ -171,19 +171,19 @@ fn flash_work(bench: &mut Bench) -> Result<Duration, Fault> {
     Ok(STEP * working)
 }
 
-fn record_bytes(bench: &mut Bench) -> Result<f64, Fault> {
-    let records = bench.client.records()?;
+fn record_bytes(rigged: &mut Rigged) -> Result<f64, Fault> {
+    let records = rigged.client.records()?;
     let record = records.last().ok_or("nothing was stored")?;
     Ok(f64::from(record.bytes))
 }
 
 /// Bytes of records per second over either link.
-fn download(bench: &mut Bench) -> Result<Vec<Row>, Fault> {
-    let id = bench.client.records()?.last().ok_or("nothing stored")?.id;
-    let shared = bench.shared();
-    let (rate, seconds) = fetch(bench, None, id)?;
+fn download(rigged: &mut Rigged) -> Result<Vec<Row>, Fault> {
+    let id = rigged.client.records()?.last().ok_or("nothing stored")?.id;
+    let shared = rigged.shared();
+    let (rate, seconds) = fetch(rigged, None, id)?;
     let mut usb = Client::new(Box::new(EmulatedUsbTransport::plug_in(shared)?));
-    let (usb_rate, usb_seconds) = fetch(bench, Some(&mut usb), id)?;
+    let (usb_rate, usb_seconds) = fetch(rigged, Some(&mut usb), id)?;
     Ok(vec![
         Row::new("record bytes over USART3", rate, "bytes/s").limit(
             LINE_BYTES_PER_S,
@@ -198,10 +198,10 @@ fn download(bench: &mut Bench) -> Result<Vec<Row>, Fault> {
 
 /// Downloads record `id` over `client`, or else over the serial line: bytes per
 /// second, and seconds.
-fn fetch(bench: &mut Bench, client: Option<&mut Client>, id: u32) -> Result<(f64, f64), Fault> {
-    let start = bench.board().elapsed();
-    let client = client.unwrap_or(&mut bench.client);
+fn fetch(rigged: &mut Rigged, client: Option<&mut Client>, id: u32) -> Result<(f64, f64), Fault> {
+    let start = rigged.board().elapsed();
+    let client = client.unwrap_or(&mut rigged.client);
     let (_, bytes) = session::take(client, id)?;
-    let seconds = (bench.board().elapsed() - start).as_secs_f64();
+    let seconds = (rigged.board().elapsed() - start).as_secs_f64();
     Ok((bytes.len() as f64 / seconds, seconds))
 }

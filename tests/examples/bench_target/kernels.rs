@@ -1,7 +1,7 @@
 //! Correlations side by side, in one run of one program.
 
 use crate::row::Row;
-use calib_tests::bench::Fault;
+use calib_tests::rigged::Fault;
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;
 use calib_twin::runner::{Emulator, Firmware, Mark};

@@ -10,7 +10,7 @@ mod kernels;
 mod row;
 mod waiting;
 
-use calib_tests::bench::Fault;
+use calib_tests::rigged::Fault;
 use row::Row;
 
 fn main() -> Result<(), Fault> {

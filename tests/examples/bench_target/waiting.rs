@@ -4,7 +4,7 @@ use crate::row::Row;
 use calib_core::point_state::PointState;
 use calib_link::session;
 use calib_protocol::health::{Deadline, Work};
-use calib_tests::bench::{Bench, Fault};
+use calib_tests::rigged::{Fault, Rigged};
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;
 use calib_twin::runner::Firmware;
@@ -48,14 +48,14 @@ pub(crate) fn measure() -> Result<Vec<Row>, Fault> {
 
 fn course(cycles: u64) -> Result<Course, Fault> {
     let firmware = Firmware::shipping()?.at(NonZeroU64::new(cycles).ok_or("some cycles")?);
-    let mut bench = Bench::with_image(&firmware, Box::new(Plant::new(&Rig::standard())))?;
-    let outcome = bench.run(&session::default_points(10.0))?;
+    let mut rigged = Rigged::with_image(&firmware, Box::new(Plant::new(&Rig::standard())))?;
+    let outcome = rigged.run(&session::default_points(10.0))?;
     let refused = outcome.points.iter();
-    let health = bench.client.health()?.ok_or("it knows its health")?;
+    let health = rigged.client.health()?.ok_or("it knows its health")?;
     Ok(Course {
         deadlines: health.deadlines.to_vec(),
-        overruns: bench.client.status()?.overruns,
-        mutes: bench.late_lines(&firmware).len(),
+        overruns: rigged.client.status()?.overruns,
+        mutes: rigged.late_lines(&firmware).len(),
         refused: refused.filter(|p| p.state != PointState::Valid).count(),
     })
 }

@@ -4,9 +4,9 @@
 mod moving;
 mod notebooks;
 
-use calib_tests::bench::Fault;
 use calib_tests::browser::{Browser, driver};
 use calib_tests::live::Live;
+use calib_tests::rigged::Fault;
 use calib_tests::served::{Served, tool};
 use calib_twin::rig::Rig;
 use std::path::Path;
@@ -20,11 +20,11 @@ fn main() -> Result<(), Fault> {
     let page = Browser::start(&driver)?;
     gap(&page, folder)?;
     notebooks::pictures(&page, folder)?;
-    let bench = tempfile::tempdir()?;
+    let rigged = tempfile::tempdir()?;
     let live = Live::power_on(Rig::draw(2))?;
-    let laboratory = laboratory(bench.path())?;
+    let laboratory = laboratory(rigged.path())?;
     let server = Served::start(
-        bench.path(),
+        rigged.path(),
         &["--device", &live.address, "--laboratory", &laboratory],
     )?;
     page.screen(760, 700, 1.0, false)?;

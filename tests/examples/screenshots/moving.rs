@@ -1,7 +1,7 @@
 //! A calibration as a moving picture.
 
-use calib_tests::bench::Fault;
 use calib_tests::browser::Browser;
+use calib_tests::rigged::Fault;
 use image::codecs::gif::{GifEncoder, Repeat};
 use image::{Delay, Frame, ImageFormat};
 use std::fs::File;

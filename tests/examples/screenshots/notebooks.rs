@@ -1,8 +1,8 @@
 //! Notebooks of the Python package, executed and shown as a reader sees them.
 
 use crate::keep;
-use calib_tests::bench::Fault;
 use calib_tests::browser::Browser;
+use calib_tests::rigged::Fault;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 

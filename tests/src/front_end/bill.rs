@@ -1,7 +1,7 @@
 //! The bill of materials against the netlists.
 
 use super::folder;
-use crate::bench::Fault;
+use crate::rigged::Fault;
 use std::collections::BTreeMap;
 
 /// Netlists of the circuit itself.

@@ -1,7 +1,7 @@
 //! Runs a deck of `hardware/` by the real ngspice and reads what it wrote.
 
 use super::folder;
-use crate::bench::Fault;
+use crate::rigged::Fault;
 use calib_twin::Complex;
 use std::collections::BTreeMap;
 use std::io::ErrorKind;

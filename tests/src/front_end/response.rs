@@ -1,7 +1,7 @@
 //! Transfer functions of the nominal circuit: magnitude, phase, group delay.
 
 use super::ngspice::{Row, Run};
-use crate::bench::Fault;
+use crate::rigged::Fault;
 use calib_twin::Complex;
 use std::f64::consts::TAU;
 use std::fmt::Write;

@@ -1,7 +1,7 @@
 //! The ratio of two channels whose parts were drawn from their tolerances.
 
 use super::ngspice::{Row, Run};
-use crate::bench::Fault;
+use crate::rigged::Fault;
 use calib_twin::Complex;
 
 /// Pairs of channels in a file of `spread.cir`.

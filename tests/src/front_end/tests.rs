@@ -3,7 +3,7 @@
 use super::images::{self, Filters, Scene};
 use super::ngspice::{self, Run};
 use super::{folder, response, spread};
-use crate::bench::Fault;
+use crate::rigged::Fault;
 use calib_core::converter::Converters;
 use calib_core::settings::Settings;
 use calib_twin::Complex;
@@ -197,7 +197,7 @@ fn what_must_not_hurt_does_not() -> Result<(), Fault> {
     Ok(())
 }
 
-/// Rows 2 and 3 of the budget (conditioner, ratio of the converters) as the instrument leaves the bench,
+/// Rows 2 and 3 of the budget (conditioner, ratio of the converters) as the instrument leaves the workshop,
 /// against pairs of channels of the parts that are ordered. Beyond, docs/hardware.md says what to do.
 #[test]
 fn the_budget_covers_channels_of_ordered_parts_to_one_kilohertz() -> Result<(), Fault> {

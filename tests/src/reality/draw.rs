@@ -1,7 +1,7 @@
 //! A calibrator on a site: rig, list and what is wrong with it, from the sizes by seed.
 
 use super::sizes::{Sizes, unit};
-use crate::bench::point;
+use crate::rigged::point;
 use calib_core::point::{PointResult, PointSpec};
 use calib_core::points::PREFERRED_HZ;
 use calib_twin::Complex;
@@ -61,7 +61,7 @@ impl Draw {
     ///
     /// # Errors
     /// An effect the library does not have, or a size it does not accept.
-    pub fn new(sizes: &Sizes, effects: &[&str], seed: u64) -> Result<Self, crate::bench::Fault> {
+    pub fn new(sizes: &Sizes, effects: &[&str], seed: u64) -> Result<Self, crate::rigged::Fault> {
         let mut random = ChaCha12Rng::seed_from_u64(seed);
         let mut undisturbed = Rig::draw(seed);
         undisturbed.converter.errors = 1.0;
@@ -156,7 +156,7 @@ fn add(
     sizes: &Sizes,
     name: &str,
     random: &mut ChaCha12Rng,
-) -> Result<(), crate::bench::Fault> {
+) -> Result<(), crate::rigged::Fault> {
     let mut parameters = Vec::new();
     for size in sizes.size.iter().filter(|size| size.effect == name) {
         let value = size.law.draw(random);

@@ -19,9 +19,9 @@ pub use draw::{BANDS_HZ, Draw};
 pub use sizes::{LeftOut, Sizes};
 pub use tally::{Fate, Tally, most_by_chance, over_informed};
 
-use crate::bench::{Bench, Fault, reference_point};
 use crate::boardless;
 use crate::judge::from_truth;
+use crate::rigged::{Fault, Rigged, reference_point};
 use crate::turns;
 use calib_certificate::model::{Point, PointValues, Remark, Value};
 use calib_certificate::{Certificate, Particulars};
@@ -113,11 +113,11 @@ pub fn run(
 ) -> Result<Stratum, Fault> {
     turns::all(
         runs,
-        |bench, draw| {
+        |rigged, draw| {
             let seed = first_seed + draw;
             let draw = drawn(sizes, stratum, seed)?;
             let record = match through {
-                Through::Firmware => by_firmware(bench, &draw)?,
+                Through::Firmware => by_firmware(rigged, &draw)?,
                 Through::Core => by_core(&draw, [0.0; 2]),
                 Through::CoreToldExciter => by_core(&draw, draw.transverse_motion_rel),
             };
@@ -163,9 +163,9 @@ pub fn run_both(
 ) -> Result<Vec<Both>, Fault> {
     turns::all(
         runs,
-        |bench, draw| {
+        |rigged, draw| {
             let draw = drawn(sizes, stratum, first_seed + draw)?;
-            let [firmware, core] = [by_firmware(bench, &draw)?, by_core(&draw, [0.0; 2])];
+            let [firmware, core] = [by_firmware(rigged, &draw)?, by_core(&draw, [0.0; 2])];
             let points = firmware.points.iter().zip(&core.points);
             let both = |(firmware, core): (&PointResult, &PointResult)| Both {
                 firmware: *firmware,
@@ -200,17 +200,17 @@ fn effects_of<'s>(sizes: &'s Sizes, stratum: &'s str, seed: u64) -> Vec<&'s str>
 }
 
 /// One run, on the worker's instrument.
-fn by_firmware(bench: &mut Option<Bench>, draw: &Draw) -> Result<Record, Fault> {
-    let bench = match bench {
-        Some(bench) => bench,
-        None => bench.insert(Bench::with_rig(&draw.rig)?),
+fn by_firmware(rigged: &mut Option<Rigged>, draw: &Draw) -> Result<Record, Fault> {
+    let rigged = match rigged {
+        Some(rigged) => rigged,
+        None => rigged.insert(Rigged::with_rig(&draw.rig)?),
     };
-    bench.certify_reference(&draw.certificate)?;
+    rigged.certify_reference(&draw.certificate)?;
     // The faults begin with the run, not with the handling of the button before it.
-    bench.mount(&draw.rig);
+    rigged.mount(&draw.rig);
     let goes_on = |_: &session::Progress<'_>| ControlFlow::Continue(());
-    let run = session::run(&mut bench.client, &draw.points, labels(draw), goes_on)?;
-    Ok(record::decode(&bench.record(run.record_id)?)?)
+    let run = session::run(&mut rigged.client, &draw.points, labels(draw), goes_on)?;
+    Ok(record::decode(&rigged.record(run.record_id)?)?)
 }
 
 /// Labels the operator tells.

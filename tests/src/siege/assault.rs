@@ -3,7 +3,7 @@
 use super::fire::{Ammunition, frame};
 use super::two_hosts::TwoHosts;
 use super::{End, Siege, Toll};
-use crate::bench::Fault;
+use crate::rigged::Fault;
 use calib_core::point::PointSpec;
 use calib_protocol::frame::SERIAL_BAUD;
 use calib_protocol::message::Request;
@@ -106,11 +106,11 @@ impl Siege {
     fn other_rate(&mut self, fire: &mut Ammunition) -> Result<(), Fault> {
         let bytes = fire.no_stop(OTHER_BAUD as usize / 10 / 10);
         self.toll.bytes += bytes.len();
-        let line = self.bench.board().serial().clone();
+        let line = self.rigged.board().serial().clone();
         line.send_at(&bytes, OTHER_BAUD, SERIAL_BAUD);
         self.ask_while_sending()?;
-        self.bench.client.wait(AFTER_DAMAGE)?;
-        let answers = self.bench.board().read_serial();
+        self.rigged.client.wait(AFTER_DAMAGE)?;
+        let answers = self.rigged.board().read_serial();
         if !answers.is_empty() {
             return Err(format!("noise was answered: {answers:x?}").into());
         }
@@ -122,9 +122,9 @@ impl Siege {
     fn requests(&mut self) -> Result<(), Fault> {
         let bytes: Vec<u8> = (0..90).flat_map(|n| frame(n, &Request::Info)).collect();
         self.toll.bytes += bytes.len();
-        self.bench.board().write_serial(&bytes);
+        self.rigged.board().write_serial(&bytes);
         self.ask_while_sending()?;
-        let _ = self.bench.board().read_serial();
+        let _ = self.rigged.board().read_serial();
         match self.toll.blows.is_multiple_of(PAUSE) {
             true => self.pause(),
             false => Ok(()),
@@ -135,7 +135,7 @@ impl Siege {
     fn endless(&mut self, byte: u8) -> Result<(), Fault> {
         let bytes = [byte; 1000];
         self.toll.bytes += bytes.len();
-        self.bench.board().write_serial(&bytes);
+        self.rigged.board().write_serial(&bytes);
         self.ask_while_sending()?;
         match self.toll.blows.is_multiple_of(PAUSE) {
             true => self.ask(End::Serial),
@@ -152,7 +152,7 @@ impl Siege {
                 self.toll.bytes += bytes.len();
                 port.send(&bytes);
             }
-            self.bench.client.wait(Duration::from_millis(10))?;
+            self.rigged.client.wait(Duration::from_millis(10))?;
             let _ = port.receive();
         }
         self.ask(End::Serial)?;
@@ -164,9 +164,9 @@ impl Siege {
 
     /// Asks over USB until the serial line has had all that was queued.
     fn ask_while_sending(&mut self) -> Result<(), Fault> {
-        while self.bench.board().serial().is_sending() {
+        while self.rigged.board().serial().is_sending() {
             self.ask(End::Usb)?;
-            self.bench.client.wait(Duration::from_millis(10))?;
+            self.rigged.client.wait(Duration::from_millis(10))?;
         }
         Ok(())
     }
@@ -176,9 +176,9 @@ impl Siege {
         let port = self.port();
         let mut quiet = 0;
         while quiet < 3 {
-            self.bench.client.wait(Duration::from_millis(20))?;
-            let heard = self.bench.board().read_serial().len() + port.receive().len();
-            let busy = heard > 0 || port.waiting() > 0 || self.bench.board().serial().is_sending();
+            self.rigged.client.wait(Duration::from_millis(20))?;
+            let heard = self.rigged.board().read_serial().len() + port.receive().len();
+            let busy = heard > 0 || port.waiting() > 0 || self.rigged.board().serial().is_sending();
             quiet = if busy { 0 } else { quiet + 1 };
         }
         self.ask(End::Serial)?;

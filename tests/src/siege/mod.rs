@@ -17,7 +17,7 @@ pub use assault::{AFTER_DAMAGE, Assault, run};
 pub use fire::{Ammunition, frame};
 pub use resets::run as run_resets;
 
-use crate::bench::{Bench, Fault, point};
+use crate::rigged::{Fault, Rigged, point};
 use calib_core::point::{ExcitationKind, PointSpec};
 use calib_core::settings::Settings;
 use calib_host::emulated::EmulatedUsbTransport;
@@ -61,7 +61,7 @@ pub struct Toll {
 /// A calibrator under attack.
 pub struct Siege {
     /// The calibrator, with the client of its serial line.
-    pub bench: Bench,
+    pub rigged: Rigged,
     usb: Client,
     holder: End,
     points: Vec<PointSpec>,
@@ -78,11 +78,11 @@ impl Siege {
     /// # Errors
     /// The image is missing, or the instrument refuses.
     pub fn begin(holder: End, points: &[PointSpec]) -> Result<Self, Fault> {
-        let mut bench = Bench::with_rig(&Rig::standard())?;
-        let usb = Client::new(Box::new(EmulatedUsbTransport::plug_in(bench.shared())?));
-        let before = bench.client.settings()?;
+        let mut rigged = Rigged::with_rig(&Rig::standard())?;
+        let usb = Client::new(Box::new(EmulatedUsbTransport::plug_in(rigged.shared())?));
+        let before = rigged.client.settings()?;
         let mut siege = Self {
-            bench,
+            rigged,
             usb,
             holder,
             points: vec![point(160.0, 10.0)],
@@ -114,7 +114,7 @@ impl Siege {
     /// Waits in peace until the run is over.
     fn rest(&mut self) -> Result<(), Fault> {
         while !self.is_over()? {
-            self.bench.client.wait(Duration::from_millis(100))?;
+            self.rigged.client.wait(Duration::from_millis(100))?;
         }
         Ok(())
     }
@@ -131,7 +131,7 @@ impl Siege {
 
     fn client(&mut self, end: End) -> &mut Client {
         match end {
-            End::Serial => &mut self.bench.client,
+            End::Serial => &mut self.rigged.client,
             End::Usb => &mut self.usb,
         }
     }
@@ -141,13 +141,13 @@ impl Siege {
     }
 
     fn port(&self) -> UsbPort {
-        self.bench.board().usb().clone()
+        self.rigged.board().usb().clone()
     }
 
     /// Asks one question after another kind, and takes the time.
     fn ask(&mut self, end: End) -> Result<(), Fault> {
         let kind = self.toll.asked % 5;
-        let before = self.bench.board().elapsed();
+        let before = self.rigged.board().elapsed();
         let client = self.client(end);
         match kind {
             0 => drop(client.info()?),
@@ -156,7 +156,7 @@ impl Siege {
             3 => drop(client.read_record(7777, 0).expect_err("no such record")),
             _ => drop(client.status()?),
         }
-        let took = self.bench.board().elapsed() - before;
+        let took = self.rigged.board().elapsed() - before;
         if took > PROMPT {
             let (blows, state) = (self.toll.blows, self.holder().status()?.state);
             return Err(format!(
@@ -190,22 +190,22 @@ impl Siege {
     /// first run if nobody disturbs it.
     fn judge(&mut self, quiet: &[u8]) -> Result<(), Fault> {
         let runs = self.toll.runs + 1;
-        let status = self.bench.client.status()?;
+        let status = self.rigged.client.status()?;
         let came_out = status.state == RunState::Finished && status.overruns == 0;
-        let restarts = self.bench.board().resets()?;
+        let restarts = self.rigged.board().resets()?;
         if !came_out || !restarts.is_empty() {
             return Err(format!("run {runs}: {status:?}, restarts {restarts:?}").into());
         }
         if self.record(1)? != self.first || self.record(2)? != quiet {
             return Err("a record is another than without the attack".into());
         }
-        if self.bench.client.records()?.len() != runs as usize {
+        if self.rigged.client.records()?.len() != runs as usize {
             return Err("there are other records than were made".into());
         }
-        if self.bench.client.settings()? != self.before {
+        if self.rigged.client.settings()? != self.before {
             return Err("settings were changed".into());
         }
-        self.toll.virtual_s = self.bench.board().elapsed().as_secs_f64();
+        self.toll.virtual_s = self.rigged.board().elapsed().as_secs_f64();
         Ok(())
     }
 }

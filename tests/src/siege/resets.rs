@@ -2,7 +2,7 @@
 
 use super::fire::frame;
 use super::{End, Siege, Toll};
-use crate::bench::Fault;
+use crate::rigged::Fault;
 use calib_core::point::PointSpec;
 use calib_core::point_state::PointState;
 use calib_host::emulated::EmulatedUsbTransport;
@@ -49,7 +49,7 @@ enum Way {
 /// Promises that did not hold.
 pub fn run(count: u32, points: &[PointSpec], quiet: &[u8]) -> Result<Toll, Fault> {
     let mut siege = Siege::begin(End::Serial, points)?;
-    let host = UsbHost::new(siege.bench.shared());
+    let host = UsbHost::new(siege.rigged.shared());
     let mut device = siege.replug()?;
     let mut random = 1;
     loop {
@@ -112,9 +112,9 @@ impl Siege {
 
     /// Asks over the serial line, and throws away what came by `then`.
     fn close_serial(&mut self, question: &[u8], then: Duration) -> Result<(), Fault> {
-        self.bench.board().write_serial(question);
-        self.bench.client.wait(then)?;
-        self.bench.board().serial().clear();
+        self.rigged.board().write_serial(question);
+        self.rigged.client.wait(then)?;
+        self.rigged.board().serial().clear();
         Ok(())
     }
 
@@ -162,7 +162,7 @@ impl Siege {
 
     /// Plugs the cable in again; what the device says it is.
     fn replug(&mut self) -> Result<Enumerated, Fault> {
-        let usb = EmulatedUsbTransport::plug_in(self.bench.shared())?;
+        let usb = EmulatedUsbTransport::plug_in(self.rigged.shared())?;
         let device = usb.device().clone();
         self.usb = Client::new(Box::new(usb));
         Ok(device)
@@ -171,7 +171,7 @@ impl Siege {
     /// Fails unless every point of the last run passed.
     fn expect_pass(&mut self) -> Result<(), Fault> {
         for index in 0..self.points.len() {
-            let point = self.bench.client.point(index as u16)?;
+            let point = self.rigged.client.point(index as u16)?;
             if point.as_ref().map(|point| point.state) != Some(PointState::Valid) {
                 return Err(format!("point {index}: {point:?}").into());
             }

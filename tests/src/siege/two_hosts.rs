@@ -2,7 +2,7 @@
 
 use super::fire::frame;
 use super::{PROMPT, Siege};
-use crate::bench::Fault;
+use crate::rigged::Fault;
 use calib_protocol::frame::{Frame, Receiver};
 use calib_protocol::message::{Refusal, Request, Response};
 use std::time::Duration;
@@ -56,7 +56,7 @@ impl TwoHosts {
     /// Nobody holds the session, and both ask for it at once: one gets it.
     pub(super) fn race(&mut self, siege: &mut Siege) -> Result<(), Fault> {
         for _ in 0..RACES {
-            siege.bench.client.wait(SESSION_OVER)?;
+            siege.rigged.client.wait(SESSION_OVER)?;
             self.rounds = self.rounds.wrapping_add(1);
             let capture = Request::Capture { pairs: 64 };
             let answers = self.exchange(siege, &[capture.clone(), capture])?;
@@ -80,19 +80,19 @@ impl TwoHosts {
         let frames = [0, 1].map(|end: usize| frame(self.rounds, &asked[end]));
         siege.toll.bytes += frames.concat().len();
         let port = siege.port();
-        siege.bench.board().write_serial(&frames[0]);
+        siege.rigged.board().write_serial(&frames[0]);
         port.send(&frames[1]);
-        let before = siege.bench.board().elapsed();
+        let before = siege.rigged.board().elapsed();
         let mut receivers = [Receiver::new(), Receiver::new()];
         let mut answers = [None, None];
         while answers.iter().any(Option::is_none) {
-            siege.bench.client.wait(LOOK)?;
-            let took = siege.bench.board().elapsed() - before;
+            siege.rigged.client.wait(LOOK)?;
+            let took = siege.rigged.board().elapsed() - before;
             if took > PROMPT {
                 return Err(format!("{asked:?}: {answers:?} after {took:?}").into());
             }
             siege.toll.slowest_ms = siege.toll.slowest_ms.max(took.as_secs_f64() * 1000.0);
-            let heard = [siege.bench.board().read_serial(), port.receive()];
+            let heard = [siege.rigged.board().read_serial(), port.receive()];
             for end in [0, 1] {
                 for byte in &heard[end] {
                     if let Some(raw) = receivers[end].push(*byte) {

@@ -1,7 +1,7 @@
 //! A serial line to a board whose supply fails at a given instant, or might.
 
 use super::outage::{Cut, Next, Outage};
-use crate::bench::Fault;
+use crate::rigged::Fault;
 use calib_link::Transport;
 use calib_twin::runner::{Emulator, SharedEmulator, Torn};
 use std::io;

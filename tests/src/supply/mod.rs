@@ -19,7 +19,7 @@ pub use survey::Survey;
 pub use tally::{Row, Tally};
 pub use told::Doing;
 
-use crate::bench::Fault;
+use crate::rigged::Fault;
 use calib_link::Client;
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;

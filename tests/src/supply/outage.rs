@@ -1,6 +1,6 @@
 //! When the supply fails, and the outcome: the supply fails, or a second board is asked how it would have been.
 
-use crate::bench::Fault;
+use crate::rigged::Fault;
 use calib_twin::runner::Emulator;
 use std::time::Duration;
 

@@ -5,7 +5,7 @@ use super::plan::Plan;
 use super::tally::Tally;
 use super::told::Told;
 use super::{Cut, Desk, Met};
-use crate::bench::Fault;
+use crate::rigged::Fault;
 use calib_twin::runner::{Emulator, FlashAtCut, Torn};
 use std::path::Path;
 

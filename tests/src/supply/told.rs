@@ -1,6 +1,6 @@
 //! Everything a host was told, and whether it still holds.
 
-use crate::bench::{Fault, point};
+use crate::rigged::{Fault, point};
 use calib_core::point::PointResult;
 use calib_core::point_state::PointState;
 use calib_core::settings::Settings;

@@ -4,7 +4,7 @@ use calib_core::channel_ratio::ChannelRatio;
 use calib_core::point::{PointResult, PointSpec};
 use calib_metrology::channel_ratio;
 use calib_protocol::record::{self, Record};
-use calib_tests::bench::{Bench, Fault, point, true_certificate};
+use calib_tests::rigged::{Fault, Rigged, point, true_certificate};
 use calib_twin::oracle;
 use calib_twin::rig::{CommonSource, Rig};
 
@@ -35,9 +35,9 @@ fn list(level_ms2: f32) -> Vec<PointSpec> {
     FREQUENCIES_HZ.map(|hz| point(hz, level_ms2)).to_vec()
 }
 
-fn record(bench: &mut Bench, level_ms2: f32) -> Result<Record, Fault> {
-    let id = bench.run_held(&list(level_ms2))?.record_id;
-    Ok(record::decode(&bench.record(id)?)?)
+fn record(rigged: &mut Rigged, level_ms2: f32) -> Result<Record, Fault> {
+    let id = rigged.run_held(&list(level_ms2))?.record_id;
+    Ok(record::decode(&rigged.record(id)?)?)
 }
 
 /// Error of magnitude and of phase over what is stated of them, and the phase's error in degrees.
@@ -55,17 +55,17 @@ fn errors(rig: &Rig, result: &PointResult) -> [f64; 3] {
 #[test]
 fn a_ratio_brings_the_phase_back_within_its_uncertainty() -> Result<(), Fault> {
     let rig = unequal();
-    let mut bench = Bench::with_rig(&rig)?;
-    bench.certify_reference(&true_certificate(&rig))?;
-    let before = record(&mut bench, 10.0)?;
+    let mut rigged = Rigged::with_rig(&rig)?;
+    rigged.certify_reference(&true_certificate(&rig))?;
+    let before = record(&mut rigged, 10.0)?;
     let [_, phase, phase_deg] = errors(&rig, &before.points[4]);
     // 1 us at 10 kHz is 3.6 degrees, of which the filter, 1 % higher, gives a tenth back.
     assert!(phase > 1.0 && phase_deg < -2.5, "{phase_deg}");
 
-    bench.mount(&with(SOURCE));
-    let straight = record(&mut bench, 50.0)?;
-    bench.mount(&with(SOURCE.exchanged()));
-    let exchanged = record(&mut bench, 50.0)?;
+    rigged.mount(&with(SOURCE));
+    let straight = record(&mut rigged, 50.0)?;
+    rigged.mount(&with(SOURCE.exchanged()));
+    let exchanged = record(&mut rigged, 50.0)?;
     let found = channel_ratio::evaluate(&straight, &exchanged)?;
     // Ten statements of 95 %: beyond 2 U lies one in 16 000.
     for (row, line) in found.ratio.points.iter().zip(&found.lines) {
@@ -88,13 +88,13 @@ fn a_ratio_brings_the_phase_back_within_its_uncertainty() -> Result<(), Fault> {
         assert!(line.expanded_uncertainty_rel < 0.0024, "{line:?}");
     }
 
-    bench.mount(&rig);
-    let mut settings = bench.client.settings()?;
+    rigged.mount(&rig);
+    let mut settings = rigged.client.settings()?;
     settings.channel_ratio = found.ratio.clone();
-    let refused = bench.client.write_settings(settings.clone());
+    let refused = rigged.client.write_settings(settings.clone());
     assert!(refused.is_err(), "without a hand");
-    bench.under_a_hand(|client| Ok(client.write_settings(settings)?))?;
-    let after = record(&mut bench, 10.0)?;
+    rigged.under_a_hand(|client| Ok(client.write_settings(settings)?))?;
+    let after = record(&mut rigged, 10.0)?;
     assert_eq!(after.settings.channel_ratio, found.ratio);
     assert_eq!(before.settings.channel_ratio, ChannelRatio::UNKNOWN);
     for result in &after.points {

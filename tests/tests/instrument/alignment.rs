@@ -4,30 +4,30 @@
 use calib_core::point_state::{PointState, Reason};
 use calib_protocol::message::{RunSpec, RunState};
 use calib_protocol::record::RunLabels;
-use calib_tests::bench::{Bench, Fault, point, true_certificate};
 use calib_tests::judge::deviation;
+use calib_tests::rigged::{Fault, Rigged, point, true_certificate};
 use calib_twin::board::PartFault;
 use calib_twin::rig::Rig;
 use std::time::Duration;
 
 /// A part with `fault` from its first instruction on, on the standard rig, whose reference is known.
-fn calibrator(fault: PartFault) -> Result<(Bench, Rig), Fault> {
+fn calibrator(fault: PartFault) -> Result<(Rigged, Rig), Fault> {
     let rig = Rig::standard();
-    let mut bench = Bench::with_rig(&rig)?;
-    bench.board().fail(fault)?;
+    let mut rigged = Rigged::with_rig(&rig)?;
+    rigged.board().fail(fault)?;
     // The part keeps its fault; the converters start again.
-    bench.board().reset()?;
-    bench.client.wait(Duration::from_millis(300))?;
-    bench.certify_reference(&true_certificate(&rig))?;
-    bench.adjust(|settings| settings.blocks = 3)?;
-    Ok((bench, rig))
+    rigged.board().reset()?;
+    rigged.client.wait(Duration::from_millis(300))?;
+    rigged.certify_reference(&true_certificate(&rig))?;
+    rigged.adjust(|settings| settings.blocks = 3)?;
+    Ok((rigged, rig))
 }
 
 /// Measures at 160 Hz and 10 kHz: both pass, and their phase is the rig's.
-fn measures_the_phase(bench: &mut Bench, rig: &Rig) -> Result<(), Fault> {
-    let outcome = bench.run(&[point(160.0, 10.0), point(10_000.0, 10.0)])?;
+fn measures_the_phase(rigged: &mut Rigged, rig: &Rig) -> Result<(), Fault> {
+    let outcome = rigged.run(&[point(160.0, 10.0), point(10_000.0, 10.0)])?;
     assert_eq!(outcome.state, RunState::Finished);
-    let sample_rate_hz = bench.client.info()?.sample_rate_hz;
+    let sample_rate_hz = rigged.client.info()?.sample_rate_hz;
     for result in &outcome.points {
         let off = deviation(result, rig, sample_rate_hz);
         println!(
@@ -45,52 +45,52 @@ fn measures_the_phase(bench: &mut Bench, rig: &Rig) -> Result<(), Fault> {
 
 #[test]
 fn a_part_with_the_erratum_of_the_slave_measures_the_phase() -> Result<(), Fault> {
-    let (mut bench, rig) = calibrator(PartFault::SlaveShifted)?;
-    measures_the_phase(&mut bench, &rig)
+    let (mut rigged, rig) = calibrator(PartFault::SlaveShifted)?;
+    measures_the_phase(&mut rigged, &rig)
 }
 
 #[test]
 fn starts_that_go_wrong_are_repeated() -> Result<(), Fault> {
     // The third start is right.
-    let (mut bench, rig) = calibrator(PartFault::StartsShifted { starts: 2 })?;
-    measures_the_phase(&mut bench, &rig)
+    let (mut rigged, rig) = calibrator(PartFault::StartsShifted { starts: 2 })?;
+    measures_the_phase(&mut rigged, &rig)
 }
 
 #[test]
 fn channels_that_cannot_be_aligned_measure_nothing() -> Result<(), Fault> {
-    let (mut bench, _) = calibrator(PartFault::StartsShifted { starts: u32::MAX })?;
-    let records = bench.client.records()?;
-    let refusal = bench
+    let (mut rigged, _) = calibrator(PartFault::StartsShifted { starts: u32::MAX })?;
+    let records = rigged.client.records()?;
+    let refusal = rigged
         .run(&[point(160.0, 10.0)])
         .map(|outcome| outcome.state);
     let told = refusal.expect_err("a run is started").to_string();
     assert!(told.contains("not of the same instants"), "{told}");
     // The table has not moved, and everything else works.
-    let board = bench.board();
+    let board = rigged.board();
     assert_eq!(board.silent_for(), Some(board.uptime()));
     drop(board);
-    assert_eq!(bench.client.records()?, records);
+    assert_eq!(rigged.client.records()?, records);
     Ok(())
 }
 
 #[test]
 fn a_run_in_which_the_alignment_is_lost_ends_with_that_verdict() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
-    bench.client.start(run_of_one())?;
-    bench.client.wait(Duration::from_millis(450))?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
+    rigged.client.start(run_of_one())?;
+    rigged.client.wait(Duration::from_millis(450))?;
     // The converters start again after an overrun, wrongly for good.
-    bench
+    rigged
         .board()
         .fail(PartFault::StartsShifted { starts: u32::MAX })?;
-    bench.board().fail(PartFault::AdcOverrun)?;
-    bench.client.wait(Duration::from_secs(1))?;
-    let verdict = bench.client.point(0)?.map(|result| result.state);
+    rigged.board().fail(PartFault::AdcOverrun)?;
+    rigged.client.wait(Duration::from_secs(1))?;
+    let verdict = rigged.client.point(0)?.map(|result| result.state);
     assert_eq!(
         verdict,
         Some(PointState::Refused(Reason::ChannelsNotAligned))
     );
-    bench.expect_silence(Duration::from_millis(200))?;
-    assert!(bench.client.start(run_of_one()).is_err());
+    rigged.expect_silence(Duration::from_millis(200))?;
+    assert!(rigged.client.start(run_of_one()).is_err());
     Ok(())
 }
 

@@ -1,6 +1,6 @@
 //! The shipping image on the emulated board: boot, repeatability, restarts.
 
-use calib_tests::bench::{Bench, Fault, point};
+use calib_tests::rigged::{Fault, Rigged, point};
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;
 use calib_twin::rig_port::ShortedInputs;
@@ -140,11 +140,11 @@ fn a_run_that_was_kept_goes_on_as_one_that_was_not() -> Result<(), Fault> {
     let folder = tempfile::tempdir()?;
     let file = folder.path().join("kept.run");
     let rig = Rig::standard();
-    let mut bench = Bench::with_rig(&rig)?;
-    bench.adjust(|settings| settings.blocks = 3)?;
-    bench.keep(&file)?;
-    let (record, end) = measure(&mut bench)?;
-    let mut resumed = Bench::go_on(&rig, &file)?;
+    let mut rigged = Rigged::with_rig(&rig)?;
+    rigged.adjust(|settings| settings.blocks = 3)?;
+    rigged.keep(&file)?;
+    let (record, end) = measure(&mut rigged)?;
+    let mut resumed = Rigged::go_on(&rig, &file)?;
     let (again, its_end) = measure(&mut resumed)?;
     assert_eq!(end, its_end);
     assert!(record == again, "another record");
@@ -155,10 +155,10 @@ fn a_run_that_was_kept_goes_on_as_one_that_was_not() -> Result<(), Fault> {
 type End = (Duration, u64, u64);
 
 /// A record, and where its run ended.
-fn measure(bench: &mut Bench) -> Result<(Vec<u8>, End), Fault> {
-    let outcome = bench.run(&[point(160.0, 10.0)])?;
-    let record = bench.record(outcome.record_id)?;
-    let board = bench.board();
+fn measure(rigged: &mut Rigged) -> Result<(Vec<u8>, End), Fault> {
+    let outcome = rigged.run(&[point(160.0, 10.0)])?;
+    let record = rigged.record(outcome.record_id)?;
+    let board = rigged.board();
     let end = (board.elapsed(), board.instructions(), board.sample_pairs());
     Ok((record, end))
 }

@@ -6,7 +6,7 @@ use calib_core::point::ExcitationKind;
 use calib_core::point_state::PointState;
 use calib_protocol::message::{ResetCause, RunSpec, RunState};
 use calib_protocol::record::{self, Record, RunLabels};
-use calib_tests::bench::{Bench, Fault, point};
+use calib_tests::rigged::{Fault, Rigged, point};
 use calib_twin::board::PartFault;
 use calib_twin::rig::Rig;
 use calib_twin::runner::Emulator;
@@ -56,8 +56,8 @@ enum Injected {
 
 #[test]
 fn every_fault_of_the_board_is_silent_and_reported() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
-    bench.adjust(|settings| settings.blocks = 4)?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
+    rigged.adjust(|settings| settings.blocks = 4)?;
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios/board");
     let mut files: Vec<_> = std::fs::read_dir(folder)?
         .map(|entry| entry.map(|entry| entry.path()))
@@ -69,7 +69,7 @@ fn every_fault_of_the_board_is_silent_and_reported() -> Result<(), Fault> {
         let scenario: Scenario = toml::from_str(&std::fs::read_to_string(&file)?)
             .map_err(|error| format!("{}: {error}", file.display()))?;
         let name = file.file_stem().unwrap_or_default().to_string_lossy();
-        if let Err(fault) = carry_out(&mut bench, &scenario) {
+        if let Err(fault) = carry_out(&mut rigged, &scenario) {
             failures.push(format!("{name} ({}): {fault}", scenario.what));
         }
     }
@@ -80,28 +80,28 @@ fn every_fault_of_the_board_is_silent_and_reported() -> Result<(), Fault> {
 /// After this rest an instrument has heard the mains, and drives as soon as it is asked.
 const HEARD: Duration = Duration::from_millis(1200);
 
-fn carry_out(bench: &mut Bench, scenario: &Scenario) -> Result<(), Fault> {
-    let restarts = bench.board().resets()?.len();
-    let records = bench.client.records()?;
-    bench.client.wait(HEARD)?;
-    bench.client.start(run_of_one())?;
-    bench.client.wait(UNDER_WAY)?;
-    if bench.client.status()?.state != RunState::Measuring {
+fn carry_out(rigged: &mut Rigged, scenario: &Scenario) -> Result<(), Fault> {
+    let restarts = rigged.board().resets()?.len();
+    let records = rigged.client.records()?;
+    rigged.client.wait(HEARD)?;
+    rigged.client.start(run_of_one())?;
+    rigged.client.wait(UNDER_WAY)?;
+    if rigged.client.status()?.state != RunState::Measuring {
         return Err("the point is not being measured".into());
     }
-    let silent_ms = strike(bench, &scenario.fault)?;
+    let silent_ms = strike(rigged, &scenario.fault)?;
     println!("silent after {silent_ms:>6.2} ms: {}", scenario.what);
     if silent_ms > scenario.silent_within_ms {
         return Err(format!("silent only after {silent_ms:.1} ms").into());
     }
-    let restarted = bench.board().resets()?.len() > restarts;
+    let restarted = rigged.board().resets()?.len() > restarts;
     if restarted != !scenario.reset_cause.is_empty() {
         return Err(format!("restarted: {restarted}").into());
     }
     if !restarted {
-        return goes_on(bench, scenario, records.len());
+        return goes_on(rigged, scenario, records.len());
     }
-    let info = bench.client.info()?;
+    let info = rigged.client.info()?;
     let cause = format!("{:?}", info.reset_cause);
     let told = info.last_panic.as_deref().unwrap_or_default();
     let watchdog = info.reset_cause == ResetCause::Watchdog;
@@ -113,24 +113,24 @@ fn carry_out(bench: &mut Bench, scenario: &Scenario) -> Result<(), Fault> {
     }
     // All records are there, beside one of this run if its point ended before the
     // fault was noticed; and the next one says what happened.
-    let kept = bench.client.records()?;
+    let kept = rigged.client.records()?;
     if !kept.starts_with(&records) || kept.len() > records.len() + 1 {
         return Err("records were lost".into());
     }
-    let record = next_record(bench)?;
+    let record = next_record(rigged)?;
     let incident = record.incident.as_deref().unwrap_or_default();
     if !incident.contains(&scenario.reports) {
         return Err(format!("the record says {incident:?}").into());
     }
     // Or the third fault within a minute would be no start like the first: `degraded.rs`.
-    bench.client.reset()?;
-    Ok(bench.client.wait(Duration::from_millis(500))?)
+    rigged.client.reset()?;
+    Ok(rigged.client.wait(Duration::from_millis(500))?)
 }
 
 /// Lets the fault happen, mends it after the restart, and answers after how many ms the output was
 /// silent for good.
-fn strike(bench: &Bench, fault: &Injected) -> Result<f64, Fault> {
-    let mut board = bench.board();
+fn strike(rigged: &Rigged, fault: &Injected) -> Result<f64, Fault> {
+    let mut board = rigged.board();
     let restarts = board.resets()?.len();
     let begun = board.elapsed();
     let patch = match fault.clone() {
@@ -187,9 +187,9 @@ fn sink(board: &mut Emulator, to_mv: u32, mv_per_ms: u32) -> Result<(), Fault> {
 }
 
 /// The point was refused, and the instrument goes on.
-fn goes_on(bench: &mut Bench, scenario: &Scenario, records: usize) -> Result<(), Fault> {
-    let status = bench.client.status()?;
-    let verdict = match bench.client.point(0)?.map(|result| result.state) {
+fn goes_on(rigged: &mut Rigged, scenario: &Scenario, records: usize) -> Result<(), Fault> {
+    let status = rigged.client.status()?;
+    let verdict = match rigged.client.point(0)?.map(|result| result.state) {
         Some(PointState::Refused(reason)) => format!("{reason:?}"),
         other => format!("{other:?}"),
     };
@@ -198,10 +198,10 @@ fn goes_on(bench: &mut Bench, scenario: &Scenario, records: usize) -> Result<(),
         return Err(format!("{verdict}, {} overruns", status.overruns).into());
     }
     if let Injected::ButtonStuck = scenario.fault {
-        stuck(bench, records)?;
+        stuck(rigged, records)?;
     }
     // What happened before was told once.
-    match next_record(bench)?.incident {
+    match next_record(rigged)?.incident {
         None => Ok(()),
         Some(incident) => Err(format!("told twice: {incident}").into()),
     }
@@ -209,22 +209,22 @@ fn goes_on(bench: &mut Bench, scenario: &Scenario, records: usize) -> Result<(),
 
 /// A button that stays down has stopped the run and starts none; then it is mended. That it allows
 /// nothing after a minute is `firmware/src/button.rs`'s to show.
-fn stuck(bench: &mut Bench, records: usize) -> Result<(), Fault> {
-    bench.client.wait(Duration::from_secs(1))?;
-    if bench.client.records()?.len() != records + 1 {
+fn stuck(rigged: &mut Rigged, records: usize) -> Result<(), Fault> {
+    rigged.client.wait(Duration::from_secs(1))?;
+    if rigged.client.records()?.len() != records + 1 {
         return Err("a run by itself".into());
     }
-    bench.board().press_button(false)?;
-    Ok(bench.client.wait(Duration::from_millis(60))?)
+    rigged.board().press_button(false)?;
+    Ok(rigged.client.wait(Duration::from_millis(60))?)
 }
 
 /// A run of one point that passes, and its record.
-fn next_record(bench: &mut Bench) -> Result<Record, Fault> {
-    let outcome = bench.run(&[point(160.0, 10.0)])?;
+fn next_record(rigged: &mut Rigged) -> Result<Record, Fault> {
+    let outcome = rigged.run(&[point(160.0, 10.0)])?;
     if outcome.points.first().map(|point| point.state) != Some(PointState::Valid) {
         return Err("the next run does not pass".into());
     }
-    Ok(record::decode(&bench.record(outcome.record_id)?)?)
+    Ok(record::decode(&rigged.record(outcome.record_id)?)?)
 }
 
 fn run_of_one() -> RunSpec {
@@ -238,26 +238,26 @@ fn run_of_one() -> RunSpec {
 
 #[test]
 fn a_tap_starts_a_press_stops_and_a_stuck_button_does_nothing() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
-    bench.under_a_hand(|_| Ok(()))?;
-    assert_eq!(bench.client.status()?.points, 28, "the default list");
-    bench.client.wait(Duration::from_secs(1))?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
+    rigged.under_a_hand(|_| Ok(()))?;
+    assert_eq!(rigged.client.status()?.points, 28, "the default list");
+    rigged.client.wait(Duration::from_secs(1))?;
     // From here on the button is stuck: it stops the run, and that was all.
-    bench.board().press_button(true)?;
-    bench.client.wait(Duration::from_secs(1))?;
-    assert_eq!(bench.client.status()?.state, RunState::Stopped);
-    bench.expect_silence(Duration::from_secs(1))?;
-    assert_eq!(bench.client.records()?.len(), 1, "no second run");
+    rigged.board().press_button(true)?;
+    rigged.client.wait(Duration::from_secs(1))?;
+    assert_eq!(rigged.client.status()?.state, RunState::Stopped);
+    rigged.expect_silence(Duration::from_secs(1))?;
+    assert_eq!(rigged.client.records()?.len(), 1, "no second run");
     // Stuck at boot it starts nothing and allows nothing, and a host still can run.
-    bench.client.reset()?;
-    bench.client.wait(Duration::from_secs(1))?;
-    assert_eq!(bench.client.status()?.state, RunState::Idle);
-    let mut settings = bench.client.settings()?;
+    rigged.client.reset()?;
+    rigged.client.wait(Duration::from_secs(1))?;
+    assert_eq!(rigged.client.status()?.state, RunState::Idle);
+    let mut settings = rigged.client.settings()?;
     settings.reference.due_day += 1;
-    assert!(bench.client.write_settings(settings).is_err());
-    assert_eq!(bench.run(&[point(160.0, 10.0)])?.state, RunState::Finished);
-    let unused = bench.unused_stack_bytes()?;
-    let told = bench.client.info()?.stack_unused_bytes as usize;
+    assert!(rigged.client.write_settings(settings).is_err());
+    assert_eq!(rigged.run(&[point(160.0, 10.0)])?.state, RunState::Finished);
+    let unused = rigged.unused_stack_bytes()?;
+    let told = rigged.client.info()?.stack_unused_bytes as usize;
     // Answering may have gone deeper than the look from outside saw.
     assert!(told.abs_diff(unused) <= 512, "it says {told}");
     assert!(unused >= 10 << 10, "less than 10 KiB are left");

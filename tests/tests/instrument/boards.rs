@@ -9,8 +9,8 @@ use calib_link::session::update::send;
 use calib_protocol::message::{Refusal, RunState};
 use calib_protocol::record::digest;
 use calib_protocol::update::{ImageSigner, ImageSlot};
-use calib_tests::bench::{Bench, Fault, point, true_certificate};
 use calib_tests::judge::deviation;
+use calib_tests::rigged::{Fault, Rigged, point, true_certificate};
 use calib_tests::two_slots::{TwoSlots, VERSION, release};
 use calib_twin::board::{Leds, Schematic};
 use calib_twin::plant::Plant;
@@ -60,13 +60,13 @@ fn image(board: &str) -> Result<Firmware, Fault> {
 }
 
 /// A calibrator of that board on a rig with the board's front end.
-fn calibrator(board: &str) -> Result<(Bench, Rig), Fault> {
+fn calibrator(board: &str) -> Result<(Rigged, Rig), Fault> {
     let schematic = schematic(board)?;
     let mut rig = Rig::standard();
     schematic.fit(&mut rig);
     let firmware = image(board)?.on(schematic);
-    let bench = Bench::with_image(&firmware, Box::new(Plant::new(&rig)))?;
-    Ok((bench, rig))
+    let rigged = Rigged::with_image(&firmware, Box::new(Plant::new(&rig)))?;
+    Ok((rigged, rig))
 }
 
 #[test]
@@ -74,13 +74,13 @@ fn every_board_calibrates_with_its_own_pins_clocks_and_scales() -> Result<(), Fa
     let boards = boards()?;
     assert!(boards.len() >= 2, "{boards:?}");
     for board in boards {
-        let (mut bench, rig) = calibrator(&board)?;
+        let (mut rigged, rig) = calibrator(&board)?;
         // With a hand on the button of the board.
-        bench.certify_reference(&true_certificate(&rig))?;
-        bench.adjust(|settings| settings.blocks = 3)?;
-        let outcome = bench.run(&[point(160.0, 10.0), point(5_000.0, 10.0)])?;
+        rigged.certify_reference(&true_certificate(&rig))?;
+        rigged.adjust(|settings| settings.blocks = 3)?;
+        let outcome = rigged.run(&[point(160.0, 10.0), point(5_000.0, 10.0)])?;
         assert_eq!(outcome.state, RunState::Finished, "{board}");
-        let sample_rate_hz = bench.client.info()?.sample_rate_hz;
+        let sample_rate_hz = rigged.client.info()?.sample_rate_hz;
         for result in &outcome.points {
             let off = deviation(result, &rig, sample_rate_hz).magnitude_rel;
             let budget = result.expanded_uncertainty_rel;
@@ -91,8 +91,8 @@ fn every_board_calibrates_with_its_own_pins_clocks_and_scales() -> Result<(), Fa
             assert_eq!(result.state, PointState::Valid, "{board}");
             assert!(off.abs() <= f64::from(budget), "{board}: {off}");
         }
-        bench.expect_silence(SEEN)?;
-        tap_and_stop(&board, &mut bench.board())?;
+        rigged.expect_silence(SEEN)?;
+        tap_and_stop(&board, &mut rigged.board())?;
     }
     Ok(())
 }
@@ -134,7 +134,7 @@ fn an_image_on_a_board_it_is_not_for_answers_nothing() -> Result<(), Fault> {
     let carrier = schematic("fictitious-carrier")?;
     let firmware = Firmware::shipping()?.on(carrier);
     let rig = Box::new(Plant::new(&Rig::standard()));
-    assert!(Bench::with_image(&firmware, rig).is_err());
+    assert!(Rigged::with_image(&firmware, rig).is_err());
     Ok(())
 }
 
@@ -152,15 +152,15 @@ fn one_loader_starts_the_image_of_every_board() -> Result<(), Fault> {
         let own = update(&board, &image);
         let on = schematic(&board)?;
         let device = slots.commissioned_with(&own, on, Box::new(ShortedInputs))?;
-        let mut bench = Bench::of(device);
+        let mut rigged = Rigged::of(device);
         // The loader reads an image first.
-        bench.client.wait(Duration::from_millis(600))?;
-        let running = bench.client.running_image()?;
+        rigged.client.wait(Duration::from_millis(600))?;
+        let running = rigged.client.running_image()?;
         assert_eq!(running.slot, ImageSlot::A, "{board}");
         assert_eq!(running.origin.signer, ImageSigner::Development, "{board}");
         assert_eq!(running.origin.sha256, digest(&image), "{board}");
         let other = [&image[..], &[0xFF; WORD]].concat();
-        let refused = send(&mut bench.client, &update(SHIPPING, &other), |_| ());
+        let refused = send(&mut rigged.client, &update(SHIPPING, &other), |_| ());
         let error = refused.expect_err("for another board");
         assert!(
             matches!(&error, calib_link::Error::Refused(refused) if refused.refusal == Refusal::ImageNotForHere),

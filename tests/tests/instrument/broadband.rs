@@ -5,26 +5,26 @@ use calib_core::point_state::{PointState, Reason};
 use calib_link::session::{self, Outcome};
 use calib_protocol::message::RunState;
 use calib_protocol::record::RunLabels;
-use calib_tests::bench::{Bench, Fault, point, true_certificate};
 use calib_tests::judge::deviation;
+use calib_tests::rigged::{Fault, Rigged, point, true_certificate};
 use calib_twin::rig::Rig;
 use std::ops::ControlFlow;
 use std::time::Duration;
 
 const SAMPLE_RATE_HZ: f32 = 50_000.0;
 
-fn multisine(bench: &mut Bench) -> Result<Outcome, Fault> {
+fn multisine(rigged: &mut Rigged) -> Result<Outcome, Fault> {
     let wanted = [160.0, 80.0, 500.0, 1000.0, 2000.0, 5000.0, 8000.0];
     let points = session::on_lines(&wanted.map(|f| point(f, 10.0)), SAMPLE_RATE_HZ)?;
     let labels = RunLabels::default();
     let kind = ExcitationKind::Multisine;
-    let client = &mut bench.client;
+    let client = &mut rigged.client;
     let outcome =
         session::run_excited(client, &points, kind, labels, |_| ControlFlow::Continue(()))?;
     assert_eq!(outcome.state, RunState::Finished);
     assert_eq!(outcome.points.len(), wanted.len());
-    bench.expect_silence(Duration::from_millis(200))?;
-    assert_eq!(bench.client.status()?.overruns, 0, "no sample was lost");
+    rigged.expect_silence(Duration::from_millis(200))?;
+    assert_eq!(rigged.client.status()?.overruns, 0, "no sample was lost");
     Ok(outcome)
 }
 
@@ -34,9 +34,9 @@ fn a_multisine_finds_an_inverted_device_and_refuses_a_noisy_one() -> Result<(), 
     rig.dut.sensitivity_v_per_ms2 = -rig.dut.sensitivity_v_per_ms2;
     // What is allowed is the method's own error.
     rig.converter.errors = 0.0;
-    let mut bench = Bench::with_rig(&rig)?;
-    bench.certify_reference(&true_certificate(&rig))?;
-    for result in multisine(&mut bench)?.points {
+    let mut rigged = Rigged::with_rig(&rig)?;
+    rigged.certify_reference(&true_certificate(&rig))?;
+    for result in multisine(&mut rigged)?.points {
         assert_eq!(result.state, PointState::Valid, "{result:?}");
         assert!(result.coherence.is_some_and(|coherence| coherence > 0.99));
         // Annex B: inverted, and not 180 degrees of phase shift.
@@ -55,8 +55,8 @@ fn a_multisine_finds_an_inverted_device_and_refuses_a_noisy_one() -> Result<(), 
     // 10 m/s2 are 0.1 V on some 650 lines, and 0.1 V of noise lies on 2048: a
     // third of the signal's power on each, coherence about 0.76.
     rig.dut.noise_rms_v = 0.1;
-    bench.mount(&rig);
-    for result in multisine(&mut bench)?.points {
+    rigged.mount(&rig);
+    for result in multisine(&mut rigged)?.points {
         assert_eq!(result.state, PointState::Refused(Reason::LowCoherence));
         assert!(result.coherence.is_some_and(|coherence| coherence < 0.98));
     }

@@ -6,7 +6,7 @@ use calib_link::capture::{self, Capture, Inputs, Measured, ToneFit};
 use calib_link::session;
 use calib_protocol::message::{Refusal, RunState};
 use calib_protocol::record::RunLabels;
-use calib_tests::bench::{Bench, Fault, point, true_certificate};
+use calib_tests::rigged::{Fault, Rigged, point, true_certificate};
 use calib_twin::board::PartFault;
 use calib_twin::oracle;
 use calib_twin::rig::Rig;
@@ -37,19 +37,19 @@ fn bent_rig() -> Result<Rig, Fault> {
 }
 
 /// The instrument on a rig, with the truth about its reference.
-fn bench_on(rig: &Rig) -> Result<(Bench, Inputs), Fault> {
-    let mut bench = Bench::with_rig(rig)?;
-    bench.certify_reference(&true_certificate(rig))?;
-    let inputs = Inputs::of(&mut bench.client)?;
-    Ok((bench, inputs))
+fn rigged_on(rig: &Rig) -> Result<(Rigged, Inputs), Fault> {
+    let mut rigged = Rigged::with_rig(rig)?;
+    rigged.certify_reference(&true_certificate(rig))?;
+    let inputs = Inputs::of(&mut rigged.client)?;
+    Ok((rigged, inputs))
 }
 
 fn spec() -> PointSpec {
     point(FREQUENCY_HZ, 10.0)
 }
 
-fn measure(bench: &mut Bench, inputs: &Inputs, pairs: u16) -> Result<Measured, Fault> {
-    let (client, labels) = (&mut bench.client, RunLabels::default());
+fn measure(rigged: &mut Rigged, inputs: &Inputs, pairs: u16) -> Result<Measured, Fault> {
+    let (client, labels) = (&mut rigged.client, RunLabels::default());
     let measured = capture::measure(client, inputs, spec(), pairs, labels, || false)?;
     let capture = measured.capture.as_ref().ok_or("the level was not held")?;
     assert_eq!(capture.reference_v.len(), usize::from(pairs));
@@ -64,8 +64,8 @@ fn fits(capture: &Capture, frequency_hz: f64) -> Result<[ToneFit; 2], Fault> {
 #[test]
 fn a_capture_during_a_point_shows_what_the_rig_does() -> Result<(), Fault> {
     let rig = bent_rig()?;
-    let (mut bench, inputs) = bench_on(&rig)?;
-    let measured = measure(&mut bench, &inputs, PAIRS)?;
+    let (mut rigged, inputs) = rigged_on(&rig)?;
+    let measured = measure(&mut rigged, &inputs, PAIRS)?;
     assert_eq!(measured.state, RunState::Finished);
     let result = measured.point.ok_or("measured")?;
     let capture = measured.capture.ok_or("the level was held")?;
@@ -146,16 +146,16 @@ fn captures_at_rest_show_offset_and_noise_and_break_by_name() -> Result<(), Faul
     (rig.converter.errors, rig.converter.dither_peak_v) = (0.0, 0.0);
     rig.reference.noise_rms_v = NOISE_RMS_V;
     rig.dut.noise_rms_v = NOISE_RMS_V;
-    let (mut bench, inputs) = bench_on(&rig)?;
-    expect_refusal(&mut bench, Refusal::NotCaptured)?;
-    let before = bench.client.status()?.samples;
-    let first = inputs.capture(&mut bench.client, PAIRS)?;
-    let after = bench.client.status()?.samples;
+    let (mut rigged, inputs) = rigged_on(&rig)?;
+    expect_refusal(&mut rigged, Refusal::NotCaptured)?;
+    let before = rigged.client.status()?.samples;
+    let first = inputs.capture(&mut rigged.client, PAIRS)?;
+    let after = rigged.client.status()?.samples;
     let on_the_way = after - first.first_index - u64::from(PAIRS);
     println!("{PAIRS} pairs in {:.2} s", on_the_way as f64 / 5e4);
     assert!(first.first_index >= before);
     assert!(first.first_index + u64::from(PAIRS) <= after);
-    let second = inputs.capture(&mut bench.client, 1)?;
+    let second = inputs.capture(&mut rigged.client, 1)?;
     assert!(second.first_index >= after, "captures do not overlap");
     for (volts, sensing) in [
         (&first.reference_v, &rig.reference),
@@ -178,29 +178,29 @@ fn captures_at_rest_show_offset_and_noise_and_break_by_name() -> Result<(), Faul
             "{noise_v} {wanted_v}"
         );
     }
-    let without = instructions_per_pair(&mut bench)?;
-    bench.client.capture(15_000)?;
-    let with = instructions_per_pair(&mut bench)?;
+    let without = instructions_per_pair(&mut rigged)?;
+    rigged.client.capture(15_000)?;
+    let with = instructions_per_pair(&mut rigged)?;
     // 480 MHz over 50 kHz are 9600 cycles a pair; a word takes a load and a store.
     println!("{without:.1} instructions a pair, {with:.1} while capturing");
     assert!(with - without < 96.0, "more than 1 % of the core");
-    expect_broken(&mut bench, &inputs)
+    expect_broken(&mut rigged, &inputs)
 }
 
 /// Samples that are lost break a capture, by name, and only that one.
-fn expect_broken(bench: &mut Bench, inputs: &Inputs) -> Result<(), Fault> {
-    bench.client.capture(16_384)?;
-    bench.client.wait(Duration::from_millis(100))?;
-    bench.board().fail(PartFault::AdcOverrun)?;
-    bench.client.wait(Duration::from_millis(300))?;
-    expect_refusal(bench, Refusal::CaptureBroken)?;
-    assert!(bench.client.status()?.overruns > 0);
-    inputs.capture(&mut bench.client, 1)?;
+fn expect_broken(rigged: &mut Rigged, inputs: &Inputs) -> Result<(), Fault> {
+    rigged.client.capture(16_384)?;
+    rigged.client.wait(Duration::from_millis(100))?;
+    rigged.board().fail(PartFault::AdcOverrun)?;
+    rigged.client.wait(Duration::from_millis(300))?;
+    expect_refusal(rigged, Refusal::CaptureBroken)?;
+    assert!(rigged.client.status()?.overruns > 0);
+    inputs.capture(&mut rigged.client, 1)?;
     Ok(())
 }
 
-fn expect_refusal(bench: &mut Bench, refusal: Refusal) -> Result<(), Fault> {
-    match bench.client.read_capture(0) {
+fn expect_refusal(rigged: &mut Rigged, refusal: Refusal) -> Result<(), Fault> {
+    match rigged.client.read_capture(0) {
         Err(Error::Refused(refused)) if refused.refusal == refusal => Ok(()),
         Err(error) => Err(error.into()),
         Ok(part) => Err(format!("{} pairs, not {refusal:?}", part.taken).into()),
@@ -212,12 +212,12 @@ fn measuring_does_not_notice_a_capture() -> Result<(), Fault> {
     let rig = Rig::standard();
     let mut results = Vec::new();
     for pairs in [None, Some(4096)] {
-        let (mut bench, inputs) = bench_on(&rig)?;
+        let (mut rigged, inputs) = rigged_on(&rig)?;
         let result = match pairs {
-            None => bench.run_held(&[spec()])?.points.first().copied(),
-            Some(pairs) => measure(&mut bench, &inputs, pairs)?.point,
+            None => rigged.run_held(&[spec()])?.points.first().copied(),
+            Some(pairs) => measure(&mut rigged, &inputs, pairs)?.point,
         };
-        assert_eq!(bench.client.status()?.overruns, 0);
+        assert_eq!(rigged.client.status()?.overruns, 0);
         results.push(result.ok_or("a point")?);
     }
     // The same samples, so the same bits.
@@ -226,22 +226,22 @@ fn measuring_does_not_notice_a_capture() -> Result<(), Fault> {
 }
 
 /// Instructions per sample pair while nothing is asked for 0.3 s.
-fn instructions_per_pair(bench: &mut Bench) -> Result<f64, Fault> {
-    let counters = |bench: &Bench| {
-        let board = bench.board();
+fn instructions_per_pair(rigged: &mut Rigged) -> Result<f64, Fault> {
+    let counters = |rigged: &Rigged| {
+        let board = rigged.board();
         (board.instructions(), board.sample_pairs())
     };
-    let (instructions, pairs) = counters(bench);
-    bench.client.wait(Duration::from_millis(300))?;
-    let (instructions_after, pairs_after) = counters(bench);
+    let (instructions, pairs) = counters(rigged);
+    rigged.client.wait(Duration::from_millis(300))?;
+    let (instructions_after, pairs_after) = counters(rigged);
     Ok((instructions_after - instructions) as f64 / (pairs_after - pairs) as f64)
 }
 
 #[test]
 fn time_goes_on_from_one_capture_to_the_next() -> Result<(), Fault> {
     let rig = Rig::standard();
-    let (mut bench, inputs) = bench_on(&rig)?;
-    let client = &mut bench.client;
+    let (mut rigged, inputs) = rigged_on(&rig)?;
+    let client = &mut rigged.client;
     let labels = RunLabels::default();
     session::begin(client, &[spec()], ExcitationKind::HeldSine, labels)?;
     while client.status()?.state != RunState::Measuring {

@@ -6,7 +6,7 @@ use calib_host::emulated::EmulatedUsbTransport;
 use calib_link::{Client, Error};
 use calib_protocol::health::{Defect, Defects, Health, Work};
 use calib_protocol::message::{Refusal, ResetCause, RunState};
-use calib_tests::bench::{Bench, Fault, point};
+use calib_tests::rigged::{Fault, Rigged, point};
 use calib_twin::board::{Leds, PartFault, SECTOR_BYTES, SECTORS, Schematic};
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;
@@ -20,7 +20,7 @@ const SECOND: Duration = Duration::from_secs(1);
 const FAULT: u16 = 0xDE00;
 const FLASH_BYTES: usize = SECTORS * SECTOR_BYTES as usize;
 
-fn power_on(flash: &[u8], fault: Option<PartFault>) -> Result<Bench, Fault> {
+fn power_on(flash: &[u8], fault: Option<PartFault>) -> Result<Rigged, Fault> {
     let firmware = Firmware::shipping()?;
     let plant = Box::new(Plant::new(&Rig::standard()));
     let mut board = Emulator::power_on_with_flash(&firmware, plant, flash)?;
@@ -30,33 +30,33 @@ fn power_on(flash: &[u8], fault: Option<PartFault>) -> Result<Bench, Fault> {
         board.power_cycle()?;
     }
     board.run_for(SECOND)?;
-    Ok(Bench::of(board))
+    Ok(Rigged::of(board))
 }
 
-fn new_board(fault: PartFault) -> Result<Bench, Fault> {
+fn new_board(fault: PartFault) -> Result<Rigged, Fault> {
     power_on(&vec![0xFF; FLASH_BYTES], Some(fault))
 }
 
 /// It answers over both links, says what does not work, by its lamp too, refuses runs for that
 /// reason, stops, and has never moved the exciter.
-fn expect_degraded(bench: &mut Bench, defects: Defects) -> Result<Health, Fault> {
-    let health = bench.client.health()?.ok_or("it knows its health")?;
+fn expect_degraded(rigged: &mut Rigged, defects: Defects) -> Result<Health, Fault> {
+    let health = rigged.client.health()?.ok_or("it knows its health")?;
     assert_eq!(health.defects, defects);
-    expect_refusal(&mut bench.client, defects)?;
+    expect_refusal(&mut rigged.client, defects)?;
     for _ in 0..6 {
-        bench.client.stop()?;
+        rigged.client.stop()?;
     }
-    assert_eq!(bench.client.status()?.state, RunState::Idle);
-    tap(bench)?;
+    assert_eq!(rigged.client.status()?.state, RunState::Idle);
+    tap(rigged)?;
     assert_eq!(
-        bench.client.status()?.state,
+        rigged.client.status()?.state,
         RunState::Idle,
         "a tap starts nothing"
     );
-    assert_eq!(seen_blinks(bench, defects)?, blinks(defects));
-    let mut usb = Client::new(Box::new(EmulatedUsbTransport::plug_in(bench.shared())?));
+    assert_eq!(seen_blinks(rigged, defects)?, blinks(defects));
+    let mut usb = Client::new(Box::new(EmulatedUsbTransport::plug_in(rigged.shared())?));
     assert_eq!(usb.health()?.map(|health| health.defects), Some(defects));
-    let board = bench.board();
+    let board = rigged.board();
     assert!(
         board.silent_for() >= Some(board.uptime()),
         "it moved the exciter"
@@ -80,10 +80,10 @@ fn expect_refusal(client: &mut Client, defects: Defects) -> Result<(), Fault> {
     }
 }
 
-fn tap(bench: &mut Bench) -> Result<(), Fault> {
+fn tap(rigged: &mut Rigged) -> Result<(), Fault> {
     for pressed in [true, false] {
-        bench.board().press_button(pressed)?;
-        bench.client.wait(Duration::from_millis(100))?;
+        rigged.board().press_button(pressed)?;
+        rigged.client.wait(Duration::from_millis(100))?;
     }
     Ok(())
 }
@@ -94,12 +94,12 @@ fn blinks(defects: Defects) -> u32 {
 }
 
 /// Blinks as they are seen, in the time a round takes: half a second for a blink, 1.5 s between defects.
-fn seen_blinks(bench: &mut Bench, defects: Defects) -> Result<u32, Fault> {
+fn seen_blinks(rigged: &mut Rigged, defects: Defects) -> Result<u32, Fault> {
     let round_ms = 500 * blinks(defects) + 1_500 * defects.iter().count() as u32;
-    let (mut rises, mut before) = (0, bench.board().leds()?.red);
+    let (mut rises, mut before) = (0, rigged.board().leds()?.red);
     for _ in 0..round_ms / 20 {
-        bench.client.wait(Duration::from_millis(20))?;
-        let Leds { green, yellow, red } = bench.board().leds()?;
+        rigged.client.wait(Duration::from_millis(20))?;
+        let Leds { green, yellow, red } = rigged.board().leds()?;
         assert!(!green && !yellow);
         rises += u32::from(red && !before);
         before = red;
@@ -107,8 +107,8 @@ fn seen_blinks(bench: &mut Bench, defects: Defects) -> Result<u32, Fault> {
     Ok(rises)
 }
 
-fn expect_all_well(bench: &mut Bench) -> Result<(), Fault> {
-    let health = bench.client.health()?.ok_or("it knows its health")?;
+fn expect_all_well(rigged: &mut Rigged) -> Result<(), Fault> {
+    let health = rigged.client.health()?.ok_or("it knows its health")?;
     assert!(
         health.defects.is_none() && health.restarts.is_empty(),
         "{health:?}"
@@ -117,36 +117,36 @@ fn expect_all_well(bench: &mut Bench) -> Result<(), Fault> {
 }
 
 /// It measures again, and says that all is well.
-fn expect_well(bench: &mut Bench) -> Result<(), Fault> {
-    expect_all_well(bench)?;
-    let outcome = bench.run(&[point(160.0, 10.0)])?;
+fn expect_well(rigged: &mut Rigged) -> Result<(), Fault> {
+    expect_all_well(rigged)?;
+    let outcome = rigged.run(&[point(160.0, 10.0)])?;
     assert_eq!(outcome.state, RunState::Finished);
     assert_eq!(outcome.points[0].state, PointState::Valid);
     Ok(())
 }
 
 /// A host's reset tries everything again.
-fn mend_and_reset(bench: &mut Bench) -> Result<(), Fault> {
-    bench.board().mend()?;
-    bench.client.reset()?;
-    bench.client.wait(SECOND)?;
-    assert_eq!(bench.client.info()?.reset_cause, ResetCause::Software);
+fn mend_and_reset(rigged: &mut Rigged) -> Result<(), Fault> {
+    rigged.board().mend()?;
+    rigged.client.reset()?;
+    rigged.client.wait(SECOND)?;
+    assert_eq!(rigged.client.info()?.reset_cause, ResetCause::Software);
     Ok(())
 }
 
 #[test]
 fn a_dead_converter_leaves_records_and_settings() -> Result<(), Fault> {
     for nth in [0, 1] {
-        let mut bench = new_board(PartFault::ConverterDead { nth })?;
+        let mut rigged = new_board(PartFault::ConverterDead { nth })?;
         let defects = Defects::NONE.with(Defect::Converters);
-        expect_degraded(&mut bench, defects)?;
-        assert_eq!(bench.client.records()?.len(), 0);
-        bench.adjust(|settings| settings.blocks = 3)?;
-        assert!(bench.client.capture(100).is_err(), "there are no samples");
-        assert_eq!(bench.board().resets()?, [""; 0]);
-        mend_and_reset(&mut bench)?;
-        assert_eq!(bench.client.settings()?.blocks, 3);
-        expect_well(&mut bench)?;
+        expect_degraded(&mut rigged, defects)?;
+        assert_eq!(rigged.client.records()?.len(), 0);
+        rigged.adjust(|settings| settings.blocks = 3)?;
+        assert!(rigged.client.capture(100).is_err(), "there are no samples");
+        assert_eq!(rigged.board().resets()?, [""; 0]);
+        mend_and_reset(&mut rigged)?;
+        assert_eq!(rigged.client.settings()?.blocks, 3);
+        expect_well(&mut rigged)?;
     }
     Ok(())
 }
@@ -156,36 +156,36 @@ fn a_dead_converter_leaves_records_and_settings() -> Result<(), Fault> {
 fn a_record_area_that_cannot_be_repaired_leaves_the_links() -> Result<(), Fault> {
     let mut flash = vec![0xFF; FLASH_BYTES];
     flash[4096..8192].fill(0x5A);
-    let mut bench = power_on(&flash, Some(PartFault::FlashProtected))?;
+    let mut rigged = power_on(&flash, Some(PartFault::FlashProtected))?;
     let defects = Defects::NONE.with(Defect::Archive);
-    expect_degraded(&mut bench, defects)?;
-    let refused = bench.client.records().expect_err("there is no archive");
+    expect_degraded(&mut rigged, defects)?;
+    let refused = rigged.client.records().expect_err("there is no archive");
     assert!(
         refused.to_string().contains(Defect::Archive.text()),
         "{refused}"
     );
     // Nothing is stored, but what is asked of the inputs can be had.
-    bench.client.capture(100)?;
-    mend_and_reset(&mut bench)?;
+    rigged.client.capture(100)?;
+    mend_and_reset(&mut rigged)?;
     // The erase that was due takes a second.
-    bench.client.wait(2 * SECOND)?;
-    expect_well(&mut bench)
+    rigged.client.wait(2 * SECOND)?;
+    expect_well(&mut rigged)
 }
 
 #[test]
 fn settings_that_cannot_be_read_are_not_replaced_silently() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
-    bench.adjust(|settings| settings.blocks = 7)?;
-    let mut flash = bench.board().record_flash()?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
+    rigged.adjust(|settings| settings.blocks = 7)?;
+    let mut flash = rigged.board().record_flash()?;
     assert_eq!(garble_settings(&mut flash), 2, "they are stored twice");
-    let mut bench = power_on(&flash, None)?;
+    let mut rigged = power_on(&flash, None)?;
     let defects = Defects::NONE.with(Defect::Settings);
-    expect_degraded(&mut bench, defects)?;
+    expect_degraded(&mut rigged, defects)?;
     // Whatever is written now may be another reference: under a hand alone.
-    let settings = bench.client.settings()?;
-    assert!(bench.client.write_settings(settings.clone()).is_err());
-    bench.under_a_hand(|client| Ok(client.write_settings(settings)?))?;
-    expect_well(&mut bench)
+    let settings = rigged.client.settings()?;
+    assert!(rigged.client.write_settings(settings.clone()).is_err());
+    rigged.under_a_hand(|client| Ok(client.write_settings(settings)?))?;
+    expect_well(&mut rigged)
 }
 
 /// Gives every stored state's settings a version nobody knows, with the right check sum; how many.
@@ -234,60 +234,60 @@ fn check_sum(data: &[u8]) -> u32 {
 
 #[test]
 fn without_a_clock_the_links_are_up() -> Result<(), Fault> {
-    let mut bench = new_board(PartFault::NoClock)?;
+    let mut rigged = new_board(PartFault::NoClock)?;
     let defects = Defects::NONE.with(Defect::Clock);
-    expect_degraded(&mut bench, defects)?;
-    assert_eq!(bench.client.records()?.len(), 0);
-    mend_and_reset(&mut bench)?;
-    expect_well(&mut bench)
+    expect_degraded(&mut rigged, defects)?;
+    assert_eq!(rigged.client.records()?.len(), 0);
+    mend_and_reset(&mut rigged)?;
+    expect_well(&mut rigged)
 }
 
 /// A fault each time the stored state is read: the fourth start leaves the record area out.
 #[test]
 fn three_faults_while_the_record_area_is_read_leave_it_out() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
-    bench.adjust(|settings| settings.blocks = 3)?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
+    rigged.adjust(|settings| settings.blocks = 3)?;
     let read = Firmware::shipping()?.symbol_at_path(&["State", "read"])? & !1;
-    let before = bench.board().patch(read, &[FAULT])?;
-    bench.board().power_cycle()?;
-    bench.client.wait(SECOND)?;
-    assert_eq!(bench.board().resets()?.len(), 1 + 3, "and no fourth try");
+    let before = rigged.board().patch(read, &[FAULT])?;
+    rigged.board().power_cycle()?;
+    rigged.client.wait(SECOND)?;
+    assert_eq!(rigged.board().resets()?.len(), 1 + 3, "and no fourth try");
     let defects = Defects::NONE.with(Defect::Archive).with(Defect::Restarts);
-    let health = bench.client.health()?.ok_or("it knows its health")?;
+    let health = rigged.client.health()?.ok_or("it knows its health")?;
     assert_eq!(health.defects, defects);
     assert_eq!(health.restarts.len(), 3);
     for restart in &health.restarts {
         assert!(restart.starts_with("hard fault at 0x08"), "{restart}");
     }
-    expect_refusal(&mut bench.client, defects)?;
+    expect_refusal(&mut rigged.client, defects)?;
     // It stays so, a minute later too, and until somebody tries again.
-    bench.client.wait(61 * SECOND)?;
-    assert_eq!(bench.board().resets()?.len(), 1 + 3);
-    bench.board().patch(read, &before)?;
-    bench.board().press_button(true)?;
-    bench.client.wait(Duration::from_millis(3_500))?;
-    bench.board().press_button(false)?;
-    bench.client.wait(SECOND)?;
-    assert_eq!(bench.client.settings()?.blocks, 3);
-    expect_well(&mut bench)
+    rigged.client.wait(61 * SECOND)?;
+    assert_eq!(rigged.board().resets()?.len(), 1 + 3);
+    rigged.board().patch(read, &before)?;
+    rigged.board().press_button(true)?;
+    rigged.client.wait(Duration::from_millis(3_500))?;
+    rigged.board().press_button(false)?;
+    rigged.client.wait(SECOND)?;
+    assert_eq!(rigged.client.settings()?.blocks, 3);
+    expect_well(&mut rigged)
 }
 
 /// Faults of what runs: after three of them nothing is measured or stored, and the links are up.
 #[test]
 fn three_faults_of_what_runs_leave_links_and_lamps() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
-    let measure = bench.board().symbol("UART5")? & !1;
-    let before = bench.board().patch(measure, &[FAULT])?;
-    bench.client.wait(SECOND)?;
-    assert_eq!(bench.board().resets()?.len(), 3);
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
+    let measure = rigged.board().symbol("UART5")? & !1;
+    let before = rigged.board().patch(measure, &[FAULT])?;
+    rigged.client.wait(SECOND)?;
+    assert_eq!(rigged.board().resets()?.len(), 3);
     let defects = Defects::NONE
         .with(Defect::Archive)
         .with(Defect::Converters)
         .with(Defect::Restarts);
-    expect_degraded(&mut bench, defects)?;
-    bench.board().patch(measure, &before)?;
-    mend_and_reset(&mut bench)?;
-    expect_well(&mut bench)
+    expect_degraded(&mut rigged, defects)?;
+    rigged.board().patch(measure, &before)?;
+    mend_and_reset(&mut rigged)?;
+    expect_well(&mut rigged)
 }
 
 /// A clock that is 200 ppm fast, beside the frames of a host that are right.
@@ -300,12 +300,12 @@ fn the_clock_is_compared_with_the_frames_of_a_usb_host() -> Result<(), Fault> {
     assert_ne!(fast, SCHEMATIC);
     std::fs::write(&file, fast)?;
     let firmware = Firmware::shipping()?.on(Schematic::read(&file)?);
-    let mut bench = Bench::with_image(&firmware, Box::new(Plant::new(&Rig::standard())))?;
-    let none = bench.client.health()?.ok_or("it knows its health")?;
+    let mut rigged = Rigged::with_image(&firmware, Box::new(Plant::new(&Rig::standard())))?;
+    let none = rigged.client.health()?.ok_or("it knows its health")?;
     assert_eq!(none.timebase_ppm, None, "nobody is there");
-    let _usb = EmulatedUsbTransport::plug_in(bench.shared())?;
-    bench.client.wait(25 * SECOND)?;
-    let health = bench.client.health()?.ok_or("it knows its health")?;
+    let _usb = EmulatedUsbTransport::plug_in(rigged.shared())?;
+    rigged.client.wait(25 * SECOND)?;
+    let health = rigged.client.health()?.ok_or("it knows its health")?;
     let ppm = health.timebase_ppm.ok_or("a host is there")?;
     // The edge of a frame is seen within 20 us of ten seconds.
     assert!((ppm - 200.0).abs() <= 4.0, "{ppm} ppm");
@@ -318,12 +318,12 @@ fn the_clock_is_compared_with_the_frames_of_a_usb_host() -> Result<(), Fault> {
 fn a_core_that_waits_for_its_flash_meets_every_deadline() -> Result<(), Fault> {
     let slow = NonZeroU64::new(3).ok_or("three")?;
     let firmware = Firmware::shipping()?.at(slow);
-    let mut bench = Bench::with_image(&firmware, Box::new(Plant::new(&Rig::standard())))?;
-    bench.adjust(|settings| settings.blocks = 3)?;
+    let mut rigged = Rigged::with_image(&firmware, Box::new(Plant::new(&Rig::standard())))?;
+    rigged.adjust(|settings| settings.blocks = 3)?;
     // 31.5 Hz and 315 Hz have the folds of 4762 places.
     let points = [20.0, 31.5, 63.0, 315.0, 10_000.0].map(|frequency_hz| point(frequency_hz, 10.0));
-    let outcome = bench.run(&points)?;
-    let late = bench.late_lines(&firmware);
+    let outcome = rigged.run(&points)?;
+    let late = rigged.late_lines(&firmware);
     assert!(late.is_empty(), "{late:?}");
     for result in &outcome.points {
         assert_eq!(
@@ -333,8 +333,8 @@ fn a_core_that_waits_for_its_flash_meets_every_deadline() -> Result<(), Fault> {
             result.spec.frequency_hz
         );
     }
-    assert_eq!(bench.client.status()?.overruns, 0);
-    let health = bench.client.health()?.ok_or("it knows its health")?;
+    assert_eq!(rigged.client.status()?.overruns, 0);
+    let health = rigged.client.health()?.ok_or("it knows its health")?;
     assert_eq!(health.deadlines.len(), Work::ALL.len());
     for (work, deadline) in Work::ALL.iter().zip(&health.deadlines) {
         println!("{work:?}: {deadline:?}");
@@ -356,21 +356,21 @@ fn a_core_that_waits_for_its_flash_meets_every_deadline() -> Result<(), Fault> {
 /// Faults that a minute of life lies between do not add up: three without it would leave the instrument degraded.
 #[test]
 fn a_minute_of_life_between_faults_is_a_new_start() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
-    let measure = bench.board().symbol("UART5")? & !1;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
+    let measure = rigged.board().symbol("UART5")? & !1;
     for faults in 1..=4 {
-        let before = bench.board().patch(measure, &[FAULT])?;
-        bench.client.wait(Duration::from_millis(15))?;
-        bench.board().patch(measure, &before)?;
-        bench.client.wait(2 * SECOND)?;
-        assert_eq!(bench.board().resets()?.len(), faults);
+        let before = rigged.board().patch(measure, &[FAULT])?;
+        rigged.client.wait(Duration::from_millis(15))?;
+        rigged.board().patch(measure, &before)?;
+        rigged.client.wait(2 * SECOND)?;
+        assert_eq!(rigged.board().resets()?.len(), faults);
         if faults == 2 {
-            bench.client.wait(60 * SECOND)?;
-            expect_all_well(&mut bench)?;
+            rigged.client.wait(60 * SECOND)?;
+            expect_all_well(&mut rigged)?;
         }
     }
     // Four in a row would be refused.
-    let outcome = bench.run(&[point(160.0, 10.0)])?;
+    let outcome = rigged.run(&[point(160.0, 10.0)])?;
     assert_eq!(outcome.state, RunState::Finished);
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! The emulator's shortcuts change nothing but how long a run takes.
 
 use calib_protocol::record::{self, Sha256Sum};
-use calib_tests::bench::{Bench, Fault, point};
+use calib_tests::rigged::{Fault, Rigged, point};
 use calib_twin::rig::Rig;
 use calib_twin::runner::Execution;
 
@@ -17,11 +17,11 @@ struct Trace {
 
 /// Calibrates two points, stores and reads the record, and releases it.
 fn trace(execution: Execution) -> Result<Trace, Fault> {
-    let mut bench = Bench::executed(execution, &Rig::standard())?;
-    let outcome = bench.run(&[point(160.0, 10.0), point(5000.0, 20.0)])?;
-    let record = bench.record(outcome.record_id)?;
-    bench.client.release(outcome.record_id)?;
-    let board = bench.board();
+    let mut rigged = Rigged::executed(execution, &Rig::standard())?;
+    let outcome = rigged.run(&[point(160.0, 10.0), point(5000.0, 20.0)])?;
+    let record = rigged.record(outcome.record_id)?;
+    rigged.client.release(outcome.record_id)?;
+    let board = rigged.board();
     Ok(Trace {
         record: record::digest(&record),
         elapsed_ns: board.elapsed().as_nanos(),

@@ -4,8 +4,8 @@ use calib_core::point_state::PointState;
 use calib_core::tone::Tone;
 use calib_link::session;
 use calib_protocol::message::{ResetCause, RunState};
-use calib_tests::bench::{Bench, point, true_certificate};
 use calib_tests::judge::deviation;
+use calib_tests::rigged::{Rigged, point, true_certificate};
 use calib_twin::rig::Rig;
 use std::time::Duration;
 
@@ -19,30 +19,30 @@ fn quiet_rig() -> Rig {
 }
 
 /// Instructions executed and sample pairs taken.
-fn counters(bench: &Bench) -> (u64, u64) {
-    let board = bench.board();
+fn counters(rigged: &Rigged) -> (u64, u64) {
+    let board = rigged.board();
     (board.instructions(), board.sample_pairs())
 }
 
 #[test]
 fn every_default_point_is_reached_settled_and_right_on_a_quiet_rig() {
     let rig = quiet_rig();
-    let mut bench = Bench::with_rig(&rig).expect("boots");
-    bench
+    let mut rigged = Rigged::with_rig(&rig).expect("boots");
+    rigged
         .certify_reference(&true_certificate(&rig))
         .expect("settings are taken");
     let points = session::default_points(10.0);
     assert_eq!(points.len(), 28, "one-third octaves from 20 Hz to 10 kHz");
-    let (instructions, pairs) = counters(&bench);
-    let outcome = bench.run(&points).expect("runs");
-    let (instructions_after, pairs_after) = counters(&bench);
+    let (instructions, pairs) = counters(&rigged);
+    let outcome = rigged.run(&points).expect("runs");
+    let (instructions_after, pairs_after) = counters(&rigged);
     // 480 MHz over 50 kHz, one instruction in a cycle.
     let per_pair = (instructions_after - instructions) as f64 / (pairs_after - pairs) as f64;
     let load = per_pair / 9600.0;
     assert!(load < 0.15, "the core is busy for {load} of its time");
     assert_eq!(outcome.state, RunState::Finished);
     assert_eq!(outcome.points.len(), points.len());
-    let sample_rate_hz = bench.client.info().expect("answers").sample_rate_hz;
+    let sample_rate_hz = rigged.client.info().expect("answers").sample_rate_hz;
     for result in &outcome.points {
         let frequency_hz = result.spec.frequency_hz;
         let off = deviation(result, &rig, sample_rate_hz);
@@ -86,9 +86,9 @@ fn every_default_point_is_reached_settled_and_right_on_a_quiet_rig() {
             "{frequency_hz} Hz: {off:?}"
         );
     }
-    let status = bench.client.status().expect("answers");
+    let status = rigged.client.status().expect("answers");
     assert_eq!(status.overruns, 0, "no sample was lost");
-    bench
+    rigged
         .expect_silence(Duration::from_millis(200))
         .expect("silent after the run");
 }
@@ -96,32 +96,32 @@ fn every_default_point_is_reached_settled_and_right_on_a_quiet_rig() {
 #[test]
 fn a_record_survives_reset_and_power_cut() {
     let rig = Rig::standard();
-    let mut bench = Bench::with_rig(&rig).expect("boots");
-    let outcome = bench
+    let mut rigged = Rigged::with_rig(&rig).expect("boots");
+    let outcome = rigged
         .run(&[point(160.0, 10.0), point(1000.0, 10.0)])
         .expect("runs");
     assert_eq!(outcome.state, RunState::Finished);
-    let before = bench.client.records().expect("lists");
-    bench.client.reset().expect("resets");
-    bench
+    let before = rigged.client.records().expect("lists");
+    rigged.client.reset().expect("resets");
+    rigged
         .client
         .wait(Duration::from_secs(1))
         .expect("boots again");
-    let info = bench.client.info().expect("answers");
+    let info = rigged.client.info().expect("answers");
     assert_eq!(info.reset_cause, ResetCause::Software);
-    assert_eq!(bench.client.records().expect("lists"), before);
-    bench.board().power_cycle().expect("power comes back");
-    bench
+    assert_eq!(rigged.client.records().expect("lists"), before);
+    rigged.board().power_cycle().expect("power comes back");
+    rigged
         .client
         .wait(Duration::from_secs(1))
         .expect("boots again");
     assert_eq!(
-        bench.client.info().expect("answers").reset_cause,
+        rigged.client.info().expect("answers").reset_cause,
         ResetCause::PowerOn
     );
-    assert_eq!(bench.client.records().expect("lists"), before);
+    assert_eq!(rigged.client.records().expect("lists"), before);
     let folder = std::env::temp_dir().join(format!("calib-record-{}", std::process::id()));
-    let download = session::download(&mut bench.client, outcome.record_id, &folder, |_| ())
+    let download = session::download(&mut rigged.client, outcome.record_id, &folder, |_| ())
         .expect("downloads");
     assert_eq!(download.record.points.as_slice(), outcome.points.as_slice());
     std::fs::remove_dir_all(&folder).expect("was created");
@@ -129,8 +129,8 @@ fn a_record_survives_reset_and_power_cut() {
 
 #[test]
 fn the_board_boots_silent_and_stays_silent() {
-    let bench = Bench::with_rig(&Rig::standard()).expect("boots");
-    let board = bench.board();
+    let rigged = Rigged::with_rig(&Rig::standard()).expect("boots");
+    let board = rigged.board();
     assert_eq!(
         board.silent_for(),
         Some(board.uptime()),
@@ -140,8 +140,8 @@ fn the_board_boots_silent_and_stays_silent() {
 
 #[test]
 fn the_tone_is_the_one_asked_for() {
-    let mut bench = Bench::with_rig(&quiet_rig()).expect("boots");
-    let outcome = bench.run(&[point(31.5, 5.0)]).expect("runs");
+    let mut rigged = Rigged::with_rig(&quiet_rig()).expect("boots");
+    let outcome = rigged.run(&[point(31.5, 5.0)]).expect("runs");
     let result = outcome.points.first().expect("one point");
     // 31.5 Hz is 3 cycles in 4762 samples to 2e-5; the shortest within 1e-4.
     assert_eq!(
@@ -160,13 +160,13 @@ fn the_tone_is_the_one_asked_for() {
 fn real_converters_keep_within_the_uncertainty_that_is_stated() {
     let rig = Rig::standard();
     assert_eq!(rig.converter.errors, 1.0);
-    let mut bench = Bench::with_rig(&rig).expect("boots");
-    bench
+    let mut rigged = Rigged::with_rig(&rig).expect("boots");
+    rigged
         .certify_reference(&true_certificate(&rig))
         .expect("settings are taken");
     let list = |level| [20.0, 160.0, 1_000.0, 10_000.0].map(|hz| point(hz, level));
     for level_ms2 in [1.0, 10.0] {
-        let outcome = bench.run(&list(level_ms2)).expect("runs");
+        let outcome = rigged.run(&list(level_ms2)).expect("runs");
         for result in &outcome.points {
             let off = deviation(result, &rig, 50_000.0);
             let expanded_rel = f64::from(result.expanded_uncertainty_rel);

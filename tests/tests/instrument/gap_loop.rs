@@ -10,7 +10,7 @@ use calib_host::gap::known::Known;
 use calib_host::gap::recorded::{Recorded, Setting, record};
 use calib_link::Client;
 use calib_link::session::Progress;
-use calib_tests::bench::point;
+use calib_tests::rigged::point;
 use calib_twin::dataset::{self, Point};
 use calib_twin::rig::Rig;
 use std::ops::ControlFlow;

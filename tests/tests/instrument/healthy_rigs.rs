@@ -4,8 +4,8 @@
 use calib_core::point_state::PointState;
 use calib_core::points::default_points;
 use calib_core::settings::Settings;
-use calib_tests::bench::point;
 use calib_tests::boardless;
+use calib_tests::rigged::point;
 use calib_twin::rig::Rig;
 
 /// Rigs of the demo: exciters, devices and offsets drawn anew. Seed 7 is one of those with the most

@@ -1,7 +1,7 @@
 //! The tests on the target (`hitl/on_target.rs`), on the emulated board: they pass on a sound one, and
 //! what is wrong with one is named.
 
-use calib_tests::bench::Fault;
+use calib_tests::rigged::Fault;
 use calib_twin::board::{PartFault, RECORD_FLASH, SECTOR_BYTES};
 use calib_twin::rig_port::ShortedInputs;
 use calib_twin::runner::{Emulator, Firmware};

@@ -10,7 +10,7 @@ use calib_link::Client;
 use calib_protocol::frame::{Frame, MAX_FRAME, Receiver, SERIAL_BAUD};
 use calib_protocol::message::{Request, Response, RunSpec, RunState};
 use calib_protocol::record::RunLabels;
-use calib_tests::bench::{Bench, Fault, point};
+use calib_tests::rigged::{Fault, Rigged, point};
 use calib_tests::siege::{AFTER_DAMAGE, Ammunition, PROMPT, frame};
 use calib_twin::rig::Rig;
 use calib_twin::rig_port::ShortedInputs;
@@ -48,10 +48,10 @@ fn expect_answers(board: &SharedEmulator, client: &mut Client) -> Result<(), Fau
 
 #[test]
 fn a_run_under_fire_from_the_other_link_is_measured_like_any_other() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
-    let settings = bench.client.settings()?;
-    let _cable = EmulatedUsbTransport::plug_in(bench.shared())?;
-    let usb = bench.board().usb().clone();
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
+    let settings = rigged.client.settings()?;
+    let _cable = EmulatedUsbTransport::plug_in(rigged.shared())?;
+    let usb = rigged.board().usb().clone();
     let start = frame(
         7,
         &Request::Start(RunSpec {
@@ -60,7 +60,7 @@ fn a_run_under_fire_from_the_other_link_is_measured_like_any_other() -> Result<(
             labels: RunLabels::default(),
         }),
     );
-    let started = exchange(&mut bench, &start)?;
+    let started = exchange(&mut rigged, &start)?;
     assert_eq!(started, Response::Started { record_id: 1 });
 
     let mut fire = Ammunition::new(2);
@@ -69,11 +69,11 @@ fn a_run_under_fire_from_the_other_link_is_measured_like_any_other() -> Result<(
         let salvo = fire.no_stop(10_000);
         bytes += salvo.len();
         usb.send(&salvo);
-        bench.client.wait(Duration::from_millis(50))?;
+        rigged.client.wait(Duration::from_millis(50))?;
         let _ = usb.receive();
-        let before = bench.board().elapsed();
-        let status = bench.client.status()?;
-        assert!(bench.board().elapsed() - before <= PROMPT);
+        let before = rigged.board().elapsed();
+        let status = rigged.client.status()?;
+        assert!(rigged.board().elapsed() - before <= PROMPT);
         if !status.state.is_running() {
             break status;
         }
@@ -81,25 +81,25 @@ fn a_run_under_fire_from_the_other_link_is_measured_like_any_other() -> Result<(
     println!("{bytes} bytes of fire");
     assert_eq!(ended.state, RunState::Finished);
     assert_eq!(ended.overruns, 0, "no sample was lost");
-    let result = bench.client.point(0)?.expect("measured");
+    let result = rigged.client.point(0)?.expect("measured");
     assert_eq!(result.state, PointState::Valid);
-    assert_eq!(bench.client.settings()?, settings);
+    assert_eq!(rigged.client.settings()?, settings);
 
     // The start again, as it was: recognised, and nothing moves.
     for _ in 0..3 {
-        assert_eq!(exchange(&mut bench, &start)?, started);
+        assert_eq!(exchange(&mut rigged, &start)?, started);
     }
-    bench.expect_silence(Duration::from_millis(200))?;
-    assert_eq!(bench.client.status()?.state, RunState::Finished);
-    assert_eq!(bench.client.records()?.len(), 1);
+    rigged.expect_silence(Duration::from_millis(200))?;
+    assert_eq!(rigged.client.status()?.state, RunState::Finished);
+    assert_eq!(rigged.client.records()?.len(), 1);
     Ok(())
 }
 
 /// Sends a frame as it is over the serial line; its answer.
-fn exchange(bench: &mut Bench, frame: &[u8]) -> Result<Response, Fault> {
-    bench.board().write_serial(frame);
-    bench.client.wait(PROMPT)?;
-    let bytes = bench.board().read_serial();
+fn exchange(rigged: &mut Rigged, frame: &[u8]) -> Result<Response, Fault> {
+    rigged.board().write_serial(frame);
+    rigged.client.wait(PROMPT)?;
+    let bytes = rigged.board().read_serial();
     let mut receiver = Receiver::new();
     for byte in bytes {
         if let Some(raw) = receiver.push(byte) {
@@ -111,10 +111,10 @@ fn exchange(bench: &mut Bench, frame: &[u8]) -> Result<Response, Fault> {
 
 #[test]
 fn after_any_bytes_the_next_request_is_answered_and_nothing_is_changed() -> Result<(), Fault> {
-    let mut bench = Bench::with_port(Box::new(ShortedInputs))?;
-    let board = bench.shared();
+    let mut rigged = Rigged::with_port(Box::new(ShortedInputs))?;
+    let board = rigged.shared();
     let mut usb = Client::new(Box::new(EmulatedUsbTransport::plug_in(board.clone())?));
-    let before = bench.client.settings()?;
+    let before = rigged.client.settings()?;
     let mut fire = Ammunition::new(3);
     let write = frame(1, &Request::SettingsWrite(before.clone().into()));
     // Whole frames would be answered, one after the other, at the speed of the line.
@@ -141,23 +141,23 @@ fn after_any_bytes_the_next_request_is_answered_and_nothing_is_changed() -> Resu
     ] {
         // From now on the host on the USB holds the session.
         usb.release(0)?;
-        let line = bench.board().serial().clone();
+        let line = rigged.board().serial().clone();
         line.send_at(&bytes, baud, SERIAL_BAUD);
-        while bench.board().serial().is_sending() {
-            bench.client.wait(Duration::from_millis(1))?;
+        while rigged.board().serial().is_sending() {
+            rigged.client.wait(Duration::from_millis(1))?;
         }
         if baud != SERIAL_BAUD {
             // Nothing of it is heard, and nothing that was heard before is heard again.
-            bench.client.wait(AFTER_DAMAGE)?;
-            assert!(bench.board().read_serial().is_empty());
+            rigged.client.wait(AFTER_DAMAGE)?;
+            assert!(rigged.board().read_serial().is_empty());
         }
-        expect_answers(&board, &mut bench.client).map_err(|error| format!("{what}: {error}"))?;
+        expect_answers(&board, &mut rigged.client).map_err(|error| format!("{what}: {error}"))?;
     }
     expect_answers(&board, &mut usb)?;
-    assert_eq!(bench.client.settings()?, before);
-    assert_eq!(bench.client.records()?, []);
-    assert_eq!(bench.client.status()?.state, RunState::Idle);
-    let board = bench.board();
+    assert_eq!(rigged.client.settings()?, before);
+    assert_eq!(rigged.client.records()?, []);
+    assert_eq!(rigged.client.status()?.state, RunState::Idle);
+    let board = rigged.board();
     assert_eq!(
         board.silent_for(),
         Some(board.uptime()),
@@ -174,10 +174,10 @@ const STACK_MARGIN: usize = 8 << 10;
 /// host that asked for the list of records when a point was being evaluated once overran the stack.
 #[test]
 fn the_deepest_answer_and_the_deepest_evaluation_fit_on_the_stack_together() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
     // Faster than the serial line: the first to change something, so it holds the session.
-    let mut usb = Client::new(Box::new(EmulatedUsbTransport::plug_in(bench.shared())?));
-    let settings = bench.client.settings()?;
+    let mut usb = Client::new(Box::new(EmulatedUsbTransport::plug_in(rigged.shared())?));
+    let settings = rigged.client.settings()?;
     let mut questions: Vec<Vec<u8>> = [
         Request::Info,
         Request::Status,
@@ -195,16 +195,16 @@ fn the_deepest_answer_and_the_deepest_evaluation_fit_on_the_stack_together() -> 
     .map(|request| frame(1, request))
     .collect();
     questions.push(b"MMEM:CAT?\n".to_vec());
-    bench.paint_stack()?;
+    rigged.paint_stack()?;
     for question in &questions {
-        bench.board().write_serial(question);
-        bench.board().usb().send(question);
+        rigged.board().write_serial(question);
+        rigged.board().usb().send(question);
         // The longest answer takes the serial line 130 ms.
-        bench.client.wait(Duration::from_millis(150))?;
+        rigged.client.wait(Duration::from_millis(150))?;
     }
-    let stack = bench.stack_bytes()?;
-    let answering = stack - bench.unused_stack_bytes()?;
-    let _ = bench.board().read_serial();
+    let stack = rigged.stack_bytes()?;
+    let answering = stack - rigged.unused_stack_bytes()?;
+    let _ = rigged.board().read_serial();
 
     let run = RunSpec {
         // Folds into as many places as there are samples: the longest evaluation. Some points are over while the
@@ -214,11 +214,11 @@ fn the_deepest_answer_and_the_deepest_evaluation_fit_on_the_stack_together() -> 
         labels: RunLabels::default(),
     };
     usb.start(run)?;
-    bench.paint_stack()?;
+    rigged.paint_stack()?;
     // Nobody asks meanwhile.
-    bench.client.wait(Duration::from_secs(2))?;
-    let measuring = stack - bench.unused_stack_bytes()?;
-    let status = bench.client.status()?;
+    rigged.client.wait(Duration::from_secs(2))?;
+    let measuring = stack - rigged.unused_stack_bytes()?;
+    let status = rigged.client.status()?;
     assert!(status.state.is_running() && status.point > 0, "{status:?}");
     println!("answering {answering} bytes, measuring {measuring}, of {stack}");
     assert!(answering + measuring + STACK_MARGIN <= stack);

@@ -1,8 +1,8 @@
 //! Hum of the mains near a tone: taken out, stated, or refused, and never valid and wrong.
 
 use calib_core::point_state::{PointState, Reason};
-use calib_tests::bench::{Bench, Fault, point, true_certificate};
 use calib_tests::judge::deviation;
+use calib_tests::rigged::{Fault, Rigged, point, true_certificate};
 use calib_twin::rig::Rig;
 use std::time::Duration;
 
@@ -19,12 +19,12 @@ fn ideal() -> Rig {
 }
 
 /// An instrument that is told the truth about its reference, with ideal converters: what is off is hum.
-fn bench() -> Result<Bench, Fault> {
+fn rigged() -> Result<Rigged, Fault> {
     let rig = ideal();
-    let mut bench = Bench::with_rig(&rig)?;
-    bench.certify_reference(&true_certificate(&rig))?;
-    bench.adjust(|settings| settings.point_influences.converter_step_v = 0.0)?;
-    Ok(bench)
+    let mut rigged = Rigged::with_rig(&rig)?;
+    rigged.certify_reference(&true_certificate(&rig))?;
+    rigged.adjust(|settings| settings.point_influences.converter_step_v = 0.0)?;
+    Ok(rigged)
 }
 
 /// A point on a rig with this hum in the device's channel.
@@ -37,7 +37,7 @@ struct Outcome {
 }
 
 fn measure(
-    bench: &mut Bench,
+    rigged: &mut Rigged,
     hum: &str,
     mains_hz: f64,
     hz: f32,
@@ -48,9 +48,9 @@ fn measure(
     if !hum.is_empty() {
         rig.effects.push(hum.parse()?);
     }
-    bench.mount(&rig);
-    bench.client.wait(RESTED)?;
-    let result = bench.run(&[point(hz, ms2)])?.points[0];
+    rigged.mount(&rig);
+    rigged.client.wait(RESTED)?;
+    let result = rigged.run(&[point(hz, ms2)])?.points[0];
     let off = deviation(&result, &rig, RATE_HZ);
     let outcome = Outcome {
         verdict: result.state,
@@ -75,7 +75,7 @@ fn measure(
 /// line as this is refused for it.
 #[test]
 fn hum_on_the_tone_is_refused_at_low_levels() -> Result<(), Fault> {
-    let mut bench = bench()?;
+    let mut rigged = rigged()?;
     let first = "mains_pickup=pickup_v:3e-4,second_v:0,third_v:0";
     let second = "mains_pickup=pickup_v:3e-4,second_v:5e-4,third_v:0";
     for (hum, mains_hz, hz) in [
@@ -84,7 +84,7 @@ fn hum_on_the_tone_is_refused_at_low_levels() -> Result<(), Fault> {
         (first, 50.0, 50.0),
         (second, 50.0, 100.0),
     ] {
-        let outcome = measure(&mut bench, hum, mains_hz, hz, 1.0)?;
+        let outcome = measure(&mut rigged, hum, mains_hz, hz, 1.0)?;
         assert_eq!(
             outcome.verdict,
             PointState::Refused(Reason::Hum),
@@ -97,11 +97,11 @@ fn hum_on_the_tone_is_refused_at_low_levels() -> Result<(), Fault> {
 /// Beside ten times the level it is 0.3 %: stated, and covered.
 #[test]
 fn hum_on_the_tone_is_stated_at_usual_levels() -> Result<(), Fault> {
-    let mut bench = bench()?;
+    let mut rigged = rigged()?;
     let hum = "mains_pickup=pickup_v:3e-4,second_v:0,third_v:0";
-    let clean = measure(&mut bench, "", 50.0, 50.0, 10.0)?;
+    let clean = measure(&mut rigged, "", 50.0, 50.0, 10.0)?;
     for mains_hz in [50.0, 50.01, 49.98] {
-        let outcome = measure(&mut bench, hum, mains_hz, 50.0, 10.0)?;
+        let outcome = measure(&mut rigged, hum, mains_hz, 50.0, 10.0)?;
         assert_eq!(outcome.verdict, PointState::Valid);
         assert!(
             outcome.error.iter().all(|error| *error <= 1.0),
@@ -119,12 +119,12 @@ fn hum_on_the_tone_is_stated_at_usual_levels() -> Result<(), Fault> {
 /// At least 3 Hz from every line the hum's part of U is at most 0.05 % at 10 m/s2 and 0.2 % at 1 m/s2.
 #[test]
 fn hum_beside_the_tone_is_taken_out() -> Result<(), Fault> {
-    let mut bench = bench()?;
+    let mut rigged = rigged()?;
     let hum = "mains_pickup=pickup_v:3e-4,second_v:1e-4,third_v:1e-4";
     for (mains_hz, hz) in [(50.03, 53.5), (49.95, 105.0), (50.08, 205.0), (60.06, 63.0)] {
         for (ms2, allowed_rel) in [(10.0, 5.0e-4), (1.0, 2.0e-3)] {
-            let clean = measure(&mut bench, "", mains_hz, hz, ms2)?;
-            let outcome = measure(&mut bench, hum, mains_hz, hz, ms2)?;
+            let clean = measure(&mut rigged, "", mains_hz, hz, ms2)?;
+            let outcome = measure(&mut rigged, hum, mains_hz, hz, ms2)?;
             assert_eq!(outcome.verdict, PointState::Valid, "{hz} Hz, {ms2} m/s2");
             let by_hum = (outcome.expanded_rel.powi(2) - clean.expanded_rel.powi(2))
                 .max(0.0)

@@ -7,16 +7,16 @@ use calib_core::point_state::PointState;
 use calib_link::session;
 use calib_protocol::message::RunState;
 use calib_protocol::record::{self, Record, RunLabels};
-use calib_tests::bench::{Bench, Fault, point};
+use calib_tests::rigged::{Fault, Rigged, point};
 use calib_twin::rig::Rig;
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 fn measured(rig: &Rig, list: &[PointSpec]) -> Result<Record, Fault> {
-    let mut bench = Bench::with_rig(rig)?;
-    let outcome = bench.run(list)?;
+    let mut rigged = Rigged::with_rig(rig)?;
+    let outcome = rigged.run(list)?;
     assert_eq!(outcome.state, RunState::Finished);
-    Ok(record::decode(&bench.record(outcome.record_id)?)?)
+    Ok(record::decode(&rigged.record(outcome.record_id)?)?)
 }
 
 fn stated(record: &Record, kind: &str) -> Certificate {
@@ -85,7 +85,7 @@ fn a_mass_far_above_its_resonance_is_a_displacement_transducer() -> Result<(), F
 /// A list that was stopped has its untried points in the record; what measures them makes one calibration of both.
 #[test]
 fn what_a_stopped_run_never_tried_is_known_and_completes_it() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
     let list = [point(160.0, 10.0), point(80.0, 10.0), point(1000.0, 10.0)];
     // Stopped as soon as the first point has ended.
     let stop = |progress: &session::Progress<'_>| match progress.points.is_empty() {
@@ -93,14 +93,14 @@ fn what_a_stopped_run_never_tried_is_known_and_completes_it() -> Result<(), Faul
         false => ControlFlow::Break(()),
     };
     let (kind, labels) = (ExcitationKind::SingleSine, RunLabels::default());
-    let outcome = session::run_excited(&mut bench.client, &list, kind, labels, stop)?;
+    let outcome = session::run_excited(&mut rigged.client, &list, kind, labels, stop)?;
     assert_eq!(outcome.state, RunState::Stopped);
-    let first = record::decode(&bench.record(outcome.record_id)?)?;
+    let first = record::decode(&rigged.record(outcome.record_id)?)?;
     assert_eq!(first.points.len() + first.untried.len(), list.len());
     assert!(!first.untried.is_empty());
     let left: Vec<PointSpec> = calib_certificate::without_result(&first).collect();
-    let outcome = bench.run(&left)?;
-    let later = record::decode(&bench.record(outcome.record_id)?)?;
+    let outcome = rigged.run(&left)?;
+    let later = record::decode(&rigged.record(outcome.record_id)?)?;
     let whole = complete(&first, &[later])?;
     assert!(whole.untried.is_empty());
     let valid = |hz: f32| {

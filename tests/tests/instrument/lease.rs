@@ -7,7 +7,7 @@ use calib_core::point_state::{PointState, Reason};
 use calib_link::session::{self, Progress};
 use calib_protocol::message::{RunSpec, RunState};
 use calib_protocol::record::{self, RunLabels};
-use calib_tests::bench::{Bench, Fault, point};
+use calib_tests::rigged::{Fault, Rigged, point};
 use calib_twin::rig::Rig;
 use std::ops::ControlFlow;
 use std::time::Duration;
@@ -29,76 +29,76 @@ fn long_run() -> RunSpec {
 
 #[test]
 fn a_run_whose_hosts_are_silent_goes_on_unless_the_lease_says_otherwise() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
-    bench.client.start(long_run())?;
-    bench.client.wait(QUIET)?;
-    assert!(bench.client.status()?.state.is_running(), "the default");
-    bench.client.stop()?;
-    bench.client.wait(Duration::from_secs(1))?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
+    rigged.client.start(long_run())?;
+    rigged.client.wait(QUIET)?;
+    assert!(rigged.client.status()?.state.is_running(), "the default");
+    rigged.client.stop()?;
+    rigged.client.wait(Duration::from_secs(1))?;
 
-    bench.adjust(|settings| settings.lease_s = LEASE_S)?;
-    bench.client.start(long_run())?;
+    rigged.adjust(|settings| settings.lease_s = LEASE_S)?;
+    rigged.client.start(long_run())?;
     // A word every second keeps it.
     for _ in 0..4 {
-        bench.client.wait(Duration::from_secs(1))?;
-        assert!(bench.client.status()?.state.is_running());
+        rigged.client.wait(Duration::from_secs(1))?;
+        assert!(rigged.client.status()?.state.is_running());
     }
-    bench.client.wait(QUIET)?;
+    rigged.client.wait(QUIET)?;
     // Looked at before anything is asked: the supervisor looks every 20 ms, the drive rests a block later.
-    let silent = bench.board().silent_for();
+    let silent = rigged.board().silent_for();
     let since_lease = QUIET - Duration::from_secs(u64::from(LEASE_S));
     let earliest = since_lease - Duration::from_millis(60);
     assert!(
         silent.is_some_and(|silent| silent >= earliest),
         "{silent:?}"
     );
-    let status = bench.client.status()?;
+    let status = rigged.client.status()?;
     assert_eq!(status.state, RunState::Stopped);
-    let last = bench.client.point(status.point)?.ok_or("no result")?;
+    let last = rigged.client.point(status.point)?.ok_or("no result")?;
     assert_eq!(last.state, PointState::Refused(Reason::HostsSilent));
     Ok(())
 }
 
 #[test]
 fn a_tap_on_the_button_starts_a_run_without_a_lease() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
-    bench.adjust(|settings| settings.lease_s = LEASE_S)?;
-    bench.under_a_hand(|_| Ok(()))?;
-    bench.client.wait(QUIET)?;
-    assert!(bench.client.status()?.state.is_running());
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
+    rigged.adjust(|settings| settings.lease_s = LEASE_S)?;
+    rigged.under_a_hand(|_| Ok(()))?;
+    rigged.client.wait(QUIET)?;
+    assert!(rigged.client.status()?.state.is_running());
     Ok(())
 }
 
 #[test]
 fn a_stop_for_one_run_ends_no_other() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
-    let first = bench.run(&[point(160.0, 10.0)])?.record_id;
-    let second = bench.client.start(long_run())?;
-    bench.client.wait(Duration::from_millis(500))?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
+    let first = rigged.run(&[point(160.0, 10.0)])?.record_id;
+    let second = rigged.client.start(long_run())?;
+    rigged.client.wait(Duration::from_millis(500))?;
     // It comes late.
-    bench.client.stop_for(Some(first));
-    bench.client.stop()?;
-    bench.client.wait(Duration::from_millis(200))?;
-    assert!(bench.client.status()?.state.is_running());
-    bench.client.stop_for(Some(second));
-    bench.client.stop()?;
-    bench.expect_silence(Duration::from_millis(40))?;
+    rigged.client.stop_for(Some(first));
+    rigged.client.stop()?;
+    rigged.client.wait(Duration::from_millis(200))?;
+    assert!(rigged.client.status()?.state.is_running());
+    rigged.client.stop_for(Some(second));
+    rigged.client.stop()?;
+    rigged.expect_silence(Duration::from_millis(40))?;
     Ok(())
 }
 
 /// The record of the run before is being written then, and the calibrator busy.
 #[test]
 fn a_run_may_follow_a_stop_at_once() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
     for _ in 0..3 {
-        bench.client.start(long_run())?;
-        bench.client.wait(Duration::from_millis(700))?;
+        rigged.client.start(long_run())?;
+        rigged.client.wait(Duration::from_millis(700))?;
         // While the exciter moves, another is refused.
         let labels = RunLabels::default();
-        let beside = session::begin(&mut bench.client, &[point(80.0, 1.0)], SINE, labels);
+        let beside = session::begin(&mut rigged.client, &[point(80.0, 1.0)], SINE, labels);
         assert!(beside.is_err());
-        bench.client.stop()?;
-        let run = bench.run(&[point(160.0, 10.0)])?;
+        rigged.client.stop()?;
+        let run = rigged.run(&[point(160.0, 10.0)])?;
         assert_eq!(run.state, RunState::Finished);
     }
     Ok(())
@@ -107,15 +107,15 @@ fn a_run_may_follow_a_stop_at_once() -> Result<(), Fault> {
 /// Every point was measured by then: the record is complete, and says that nobody knows what changed.
 #[test]
 fn a_stop_while_the_first_point_is_repeated_is_a_stop() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
     let list = [point(160.0, 10.0), point(1000.0, 10.0)];
     let repeats = |progress: &Progress<'_>| match progress.status.point {
         2 => ControlFlow::Break(()),
         _ => ControlFlow::Continue(()),
     };
-    let run = session::run(&mut bench.client, &list, RunLabels::default(), repeats)?;
+    let run = session::run(&mut rigged.client, &list, RunLabels::default(), repeats)?;
     assert_eq!((run.state, run.points.len()), (RunState::Stopped, 2));
-    let record = record::decode(&bench.record(run.record_id)?)?;
+    let record = record::decode(&rigged.record(run.record_id)?)?;
     assert!(record.complete);
     assert_eq!(record.closing, Closing::Refused(Reason::Stopped));
     Ok(())
@@ -126,17 +126,17 @@ const REST: Duration = Duration::from_micros(100);
 
 #[test]
 fn a_stop_is_confirmed_by_an_exciter_at_rest() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
     for after_ms in [250, 357, 464, 571, 678, 785, 892, 1000] {
-        bench.client.start(long_run())?;
-        bench.client.wait(Duration::from_millis(after_ms))?;
-        bench.client.stop()?;
-        let silent = bench.board().silent_for();
+        rigged.client.start(long_run())?;
+        rigged.client.wait(Duration::from_millis(after_ms))?;
+        rigged.client.stop()?;
+        let silent = rigged.board().silent_for();
         assert!(
             silent.is_some_and(|silent| silent >= REST),
             "stopped after {after_ms} ms, confirmed, and at rest for {silent:?}"
         );
-        bench.client.wait(Duration::from_millis(300))?;
+        rigged.client.wait(Duration::from_millis(300))?;
     }
     Ok(())
 }

@@ -10,7 +10,7 @@ use calib_protocol::clock::ClockReading;
 use calib_protocol::lists::{KeptList, ListChange};
 use calib_protocol::message::{Refusal, RunState};
 use calib_protocol::record::{self, Record};
-use calib_tests::bench::{Bench, Fault, point};
+use calib_tests::rigged::{Fault, Rigged, point};
 use calib_twin::board::Leds;
 use calib_twin::rig::Rig;
 use std::time::Duration;
@@ -45,17 +45,17 @@ fn refusal<T: std::fmt::Debug>(answer: Result<T, Error>) -> Result<Refusal, Faul
 
 #[test]
 fn lists_change_under_a_hand_alone_and_are_kept_through_a_power_cut() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
-    assert_eq!(bench.client.lists()?, []);
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
+    assert_eq!(rigged.client.lists()?, []);
     let long: Vec<PointSpec> = (0..40).map(|n| point(20.0 + n as f32, 10.0)).collect();
     let kept = [
         list("long", &long, 0.0, 0.05),
         list("short", &long[..1], 0.0, 0.05),
     ];
     let store = |list: &StoredList| ListChange::Store(list.clone());
-    let stored = bench.client.change_lists(&store(&kept[0]));
+    let stored = rigged.client.change_lists(&store(&kept[0]));
     assert_eq!(refusal(stored)?, Refusal::ButtonNotHeld);
-    bench.under_a_hand(|client| {
+    rigged.under_a_hand(|client| {
         for list in &kept {
             client.change_lists(&store(list))?;
         }
@@ -78,18 +78,18 @@ fn lists_change_under_a_hand_alone_and_are_kept_through_a_power_cut() -> Result<
         Ok(client.change_lists(&choice("short"))?)
     })?;
     // What is so already needs no hand.
-    bench.client.change_lists(&store(&kept[0]))?;
-    bench.client.change_lists(&choice("short"))?;
+    rigged.client.change_lists(&store(&kept[0]))?;
+    rigged.client.change_lists(&choice("short"))?;
     assert_eq!(
-        refusal(bench.client.change_lists(&choice("long")))?,
+        refusal(rigged.client.change_lists(&choice("long")))?,
         Refusal::ButtonNotHeld
     );
     let [long, short] = kept;
     let expected = [(long, false), (short, true)].map(|(list, chosen)| KeptList { list, chosen });
-    assert_eq!(bench.client.lists()?, expected);
-    bench.board().power_cycle()?;
-    bench.client.wait(Duration::from_secs(1))?;
-    assert_eq!(bench.client.lists()?, expected);
+    assert_eq!(rigged.client.lists()?, expected);
+    rigged.board().power_cycle()?;
+    rigged.client.wait(Duration::from_secs(1))?;
+    assert_eq!(rigged.client.lists()?, expected);
     Ok(())
 }
 
@@ -101,12 +101,12 @@ struct Seen {
 }
 
 /// Green, yellow, red, as somebody sees them who looks for two seconds.
-fn seen(bench: &mut Bench) -> Result<[Seen; 3], Fault> {
+fn seen(rigged: &mut Rigged) -> Result<[Seen; 3], Fault> {
     let lamps = |Leds { green, yellow, red }| [green, yellow, red];
-    let (mut seen, mut before) = ([(0, 0); 3], lamps(bench.board().leds()?));
+    let (mut seen, mut before) = ([(0, 0); 3], lamps(rigged.board().leds()?));
     for _ in 0..100 {
-        bench.client.wait(Duration::from_millis(20))?;
-        let now = lamps(bench.board().leds()?);
+        rigged.client.wait(Duration::from_millis(20))?;
+        let now = lamps(rigged.board().leds()?);
         for (index, seen) in seen.iter_mut().enumerate() {
             seen.0 += u32::from(now[index]);
             seen.1 += u32::from(now[index] != before[index]);
@@ -139,15 +139,15 @@ fn expect_fail(seen: [Seen; 3]) {
 }
 
 /// Stores the list, has it chosen, and measures it by a tap; its record.
-fn tapped(bench: &mut Bench, list: &StoredList) -> Result<Record, Fault> {
-    bench.under_a_hand(|client| {
+fn tapped(rigged: &mut Rigged, list: &StoredList) -> Result<Record, Fault> {
+    rigged.under_a_hand(|client| {
         client.change_lists(&ListChange::Store(list.clone()))?;
         Ok(client.change_lists(&choice(&list.terms.name))?)
     })?;
-    let before = bench.client.records()?.len();
+    let before = rigged.client.records()?.len();
     // Down for 60 ms and up again.
-    bench.under_a_hand(|_| Ok(()))?;
-    let running = bench.client.status()?;
+    rigged.under_a_hand(|_| Ok(()))?;
+    let running = rigged.client.status()?;
     assert!(running.state.is_running(), "{running:?}");
     assert_eq!(
         usize::from(running.points),
@@ -156,20 +156,20 @@ fn tapped(bench: &mut Bench, list: &StoredList) -> Result<Record, Fault> {
     );
     // It settles for longer than that.
     assert_eq!(running.block, 0, "a block of the run before");
-    while bench.client.status()?.state.is_running() {
-        bench.client.wait(Duration::from_millis(50))?;
+    while rigged.client.status()?.state.is_running() {
+        rigged.client.wait(Duration::from_millis(50))?;
     }
-    let records = bench.client.records()?;
+    let records = rigged.client.records()?;
     assert_eq!(records.len(), before + 1);
     let last = records.last().ok_or("no record")?.id;
-    Ok(record::decode(&bench.record(last)?)?)
+    Ok(record::decode(&rigged.record(last)?)?)
 }
 
 #[test]
 fn a_tap_measures_the_chosen_list_and_the_lamps_say_what_it_came_to() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
-    bench.adjust(|settings| settings.blocks = 3)?;
-    assert_eq!(seen(&mut bench)?, READY);
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
+    rigged.adjust(|settings| settings.blocks = 3)?;
+    assert_eq!(seen(&mut rigged)?, READY);
     let points = [point(160.0, 10.0), point(1_000.0, 10.0)];
     // The device is off by +5.9 %, by nothing, and by nothing with a tolerance below its U of 0.8 %.
     for (name, deviation_rel, tolerance_rel, expected) in [
@@ -178,8 +178,8 @@ fn a_tap_measures_the_chosen_list_and_the_lamps_say_what_it_came_to() -> Result<
         ("good", 0.0, 0.05, Conformity::Pass),
     ] {
         let list = list(name, &points, deviation_rel, tolerance_rel);
-        let record = tapped(&mut bench, &list)?;
-        assert_eq!(bench.client.status()?.state, RunState::Finished);
+        let record = tapped(&mut rigged, &list)?;
+        assert_eq!(rigged.client.status()?.state, RunState::Finished);
         let point = record.points.first().ok_or("no point")?;
         let nominal = list.terms.nominal_v_per_ms2;
         println!(
@@ -199,7 +199,7 @@ fn a_tap_measures_the_chosen_list_and_the_lamps_say_what_it_came_to() -> Result<
             expected,
             "{name}"
         );
-        match (expected, seen(&mut bench)?) {
+        match (expected, seen(&mut rigged)?) {
             (Conformity::Fail, seen) => expect_fail(seen),
             (Conformity::Pass, seen) => assert_eq!(seen, PASS),
             (_, seen) => assert_eq!(seen, NOT_JUDGEABLE),
@@ -208,79 +208,79 @@ fn a_tap_measures_the_chosen_list_and_the_lamps_say_what_it_came_to() -> Result<
     // A press during the run stops it, wherever it comes: of what was left out nothing is said.
     let mut stopped = 0;
     for ms in (0..2_000).step_by(20) {
-        bench.under_a_hand(|_| Ok(()))?;
-        bench.client.wait(Duration::from_millis(ms))?;
-        if !bench.client.status()?.state.is_running() {
+        rigged.under_a_hand(|_| Ok(()))?;
+        rigged.client.wait(Duration::from_millis(ms))?;
+        if !rigged.client.status()?.state.is_running() {
             break;
         }
-        bench.board().press_button(true)?;
-        bench.client.wait(Duration::from_millis(300))?;
-        bench.board().press_button(false)?;
+        rigged.board().press_button(true)?;
+        rigged.client.wait(Duration::from_millis(300))?;
+        rigged.board().press_button(false)?;
         // In the silence behind the last one nothing is left to be stopped.
-        let expected = match bench.client.status()?.state {
+        let expected = match rigged.client.status()?.state {
             RunState::Stopped => NOT_JUDGEABLE,
             _ => PASS,
         };
-        assert_eq!(seen(&mut bench)?, expected, "{ms} ms");
+        assert_eq!(seen(&mut rigged)?, expected, "{ms} ms");
         stopped += usize::from(expected == NOT_JUDGEABLE);
     }
     assert!((20..60).contains(&stopped), "stopped {stopped} times");
     // A host's run judges nothing, and takes the place of what was said.
-    let record_id = bench.run(&points[..1])?.record_id;
-    assert_eq!(seen(&mut bench)?, READY);
-    assert!(record::decode(&bench.record(record_id)?)?.list.is_none());
+    let record_id = rigged.run(&points[..1])?.record_id;
+    assert_eq!(seen(&mut rigged)?, READY);
+    assert!(record::decode(&rigged.record(record_id)?)?.list.is_none());
     Ok(())
 }
 
 /// Limits that were lowered since the list was stored: its first point could still be measured.
 #[test]
 fn a_tap_of_a_list_that_can_no_longer_be_measured_moves_nothing() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
     let list = list("pump", &[point(160.0, 5.0), point(160.0, 10.0)], 0.0, 0.05);
-    bench.under_a_hand(|client| {
+    rigged.under_a_hand(|client| {
         client.change_lists(&ListChange::Store(list.clone()))?;
         Ok(client.change_lists(&choice("pump"))?)
     })?;
     // 10 m/s2 r.m.s. are 14.1 m/s2 peak.
-    bench.adjust(|settings| settings.limits.acceleration_peak_ms2 = 10.0)?;
-    a_tap_moves_nothing(&mut bench)
+    rigged.adjust(|settings| settings.limits.acceleration_peak_ms2 = 10.0)?;
+    a_tap_moves_nothing(&mut rigged)
 }
 
-fn a_tap_moves_nothing(bench: &mut Bench) -> Result<(), Fault> {
-    let before = bench.client.records()?.len();
-    bench.under_a_hand(|_| Ok(()))?;
-    bench.client.wait(Duration::from_millis(300))?;
-    assert!(!bench.client.status()?.state.is_running());
-    assert_eq!(seen(bench)?, NOT_JUDGEABLE);
-    assert_eq!(bench.client.records()?.len(), before);
+fn a_tap_moves_nothing(rigged: &mut Rigged) -> Result<(), Fault> {
+    let before = rigged.client.records()?.len();
+    rigged.under_a_hand(|_| Ok(()))?;
+    rigged.client.wait(Duration::from_millis(300))?;
+    assert!(!rigged.client.status()?.state.is_running());
+    assert_eq!(seen(rigged)?, NOT_JUDGEABLE);
+    assert_eq!(rigged.client.records()?.len(), before);
     Ok(())
 }
 
 /// The list of an instrument nobody chose one on begins at a point that could be measured, and has others that cannot.
 #[test]
 fn a_tap_looks_through_the_list_nobody_chose_too() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
     // 10 m/s2 r.m.s. are 0.9 mm peak at 20 Hz and 14 um at 160 Hz.
-    bench.adjust(|settings| settings.limits.displacement_peak_m = 0.5e-3)?;
-    a_tap_moves_nothing(&mut bench)
+    rigged.adjust(|settings| settings.limits.displacement_peak_m = 0.5e-3)?;
+    a_tap_moves_nothing(&mut rigged)
 }
 
 #[test]
 fn a_run_without_a_host_has_the_time_a_host_told_or_none() -> Result<(), Fault> {
     const TOLD: u64 = 1_795_269_900;
-    let mut bench = Bench::with_rig(&Rig::standard())?;
-    bench.adjust(|settings| settings.blocks = 3)?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
+    rigged.adjust(|settings| settings.blocks = 3)?;
     let list = list("one", &[point(160.0, 10.0)], 0.0, 0.05);
     let dated = |record: &Record| (record.head.labels.unix_time_s, record.clock);
     // Nobody told it the time.
-    let without = tapped(&mut bench, &list)?;
+    let without = tapped(&mut rigged, &list)?;
     assert_eq!(dated(&without), (0, ClockReading::NONE));
-    let link = EmulatedTransport::new(bench.shared());
+    let link = EmulatedTransport::new(rigged.shared());
     let mut host = Client::new(Box::new(link)).telling(TOLD);
     host.info()?;
     drop(host);
-    bench.client.wait(Duration::from_secs(7))?;
-    let (time, clock) = dated(&tapped(&mut bench, &list)?);
+    rigged.client.wait(Duration::from_secs(7))?;
+    let (time, clock) = dated(&tapped(&mut rigged, &list)?);
     assert!((TOLD + 7..TOLD + 10).contains(&time), "{time}");
     // A second of the host's and one of the count; the drift of seconds is none.
     let expected = ClockReading {
@@ -289,8 +289,8 @@ fn a_run_without_a_host_has_the_time_a_host_told_or_none() -> Result<(), Fault> 
     };
     assert_eq!(clock, expected);
     // Without supply it does not count, and says no wrong time.
-    bench.board().power_cycle()?;
-    bench.client.wait(Duration::from_secs(1))?;
-    assert_eq!(dated(&tapped(&mut bench, &list)?), (0, ClockReading::NONE));
+    rigged.board().power_cycle()?;
+    rigged.client.wait(Duration::from_secs(1))?;
+    assert_eq!(dated(&tapped(&mut rigged, &list)?), (0, ClockReading::NONE));
     Ok(())
 }

@@ -4,7 +4,7 @@
 use calib_core::settings::Settings;
 use calib_protocol::frame::{MAX_FRAME, encode};
 use calib_protocol::message::Request;
-use calib_tests::bench::{Bench, Fault};
+use calib_tests::rigged::{Fault, Rigged};
 use calib_tests::supply::{Cut, Desk, Doing, Survey};
 use calib_twin::board::SECTOR_BYTES;
 use calib_twin::rig_port::ShortedInputs;
@@ -28,22 +28,22 @@ const STRIDE: usize = 11;
 /// Cuts the supply once in flash operations all along a write of settings.
 #[test]
 fn settings_are_the_old_or_the_new_wherever_the_supply_fails() -> Result<(), Fault> {
-    let mut bench = Bench::with_port(Box::new(ShortedInputs))?;
-    let mut settings = bench.client.settings()?;
+    let mut rigged = Rigged::with_port(Box::new(ShortedInputs))?;
+    let mut settings = rigged.client.settings()?;
     let operations = (1..).step_by(STRIDE);
     for (nth, fraction) in operations.zip(FRACTIONS.into_iter().cycle()) {
         let before = settings.blocks;
         settings.blocks = if before == 10 { 12 } else { 10 };
-        let Some(torn) = cut_while_writing(&mut bench, &settings, nth, fraction)? else {
+        let Some(torn) = cut_while_writing(&mut rigged, &settings, nth, fraction)? else {
             // The write has fewer operations than this: it is done.
-            assert_eq!(bench.client.settings()?, settings);
+            assert_eq!(rigged.client.settings()?, settings);
             // Settings of some hundred bytes take several words of 32 each.
             assert!(nth > 8, "only {nth} operations");
             return Ok(());
         };
         assert_ne!(torn, Torn::Nothing, "operation {nth} at {fraction}");
-        bench.client.wait(BOOT)?;
-        let after = bench.client.settings()?;
+        rigged.client.wait(BOOT)?;
+        let after = rigged.client.settings()?;
         assert!(
             [before, settings.blocks].contains(&after.blocks),
             "{torn:?}"
@@ -57,7 +57,7 @@ fn settings_are_the_old_or_the_new_wherever_the_supply_fails() -> Result<(), Fau
 /// Sends new settings and cuts the supply at `fraction` of flash operation `nth` from there, then
 /// restores it; `None` when there is no such operation.
 fn cut_while_writing(
-    bench: &mut Bench,
+    rigged: &mut Rigged,
     settings: &Settings,
     nth: u64,
     fraction: f64,
@@ -65,7 +65,7 @@ fn cut_while_writing(
     let mut frame = [0; 1 + MAX_FRAME];
     let request = Request::SettingsWrite(settings.clone().into());
     let length = encode(0x7000, &request, &mut frame[1..]).map_err(|_| "too long a frame")?;
-    let mut board = bench.board();
+    let mut board = rigged.board();
     // One that is down at a start opens nothing.
     board.press_button(false)?;
     board.run_for(BUTTON_SEEN)?;
@@ -112,9 +112,9 @@ fn a_flash_at_a_cut_is_what_the_cut_leaves() -> Result<(), Fault> {
 
 /// Flash operations of a change of settings: its log, and two copies of them.
 fn operations_of_a_change() -> Result<u64, Fault> {
-    let mut bench = Bench::with_port(Box::new(ShortedInputs))?;
-    bench.adjust(|settings| settings.blocks = 3)?;
-    let operations = bench.board().flash_watch().operations();
+    let mut rigged = Rigged::with_port(Box::new(ShortedInputs))?;
+    rigged.adjust(|settings| settings.blocks = 3)?;
+    let operations = rigged.board().flash_watch().operations();
     Ok(operations)
 }
 

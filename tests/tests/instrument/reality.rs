@@ -1,7 +1,7 @@
 //! U on a site, the small version of `./run bench reality`.
 
-use calib_tests::bench::Fault;
 use calib_tests::reality::{self, CLEAN, Sizes, Stratum, Through};
+use calib_tests::rigged::Fault;
 
 /// Shipping firmware: hum and a shaking floor are what it must tell apart from the tone by itself.
 #[test]

@@ -5,9 +5,9 @@ use calib_core::settings::Settings;
 use calib_link::Error;
 use calib_protocol::message::{Refusal, RunSpec, SettingsChange};
 use calib_protocol::provenance::settings_digest;
-use calib_protocol::record::{self, ChainLink, RecordKind, RunLabels};
+use calib_protocol::record::{self, HashLink, RecordKind, RunLabels};
 use calib_protocol::{change, frame};
-use calib_tests::bench::{Bench, Fault, point};
+use calib_tests::rigged::{Fault, Rigged, point};
 use calib_twin::rig::Rig;
 use std::time::Duration;
 
@@ -37,46 +37,46 @@ fn expect_refusal(result: calib_link::Result<()>) {
     }
 }
 
-fn links(bench: &mut Bench) -> Result<Vec<ChainLink>, Fault> {
-    let listed = bench.client.records()?;
-    let link = |id| Ok(record::link(&bench.record(id)?)?);
+fn links(rigged: &mut Rigged) -> Result<Vec<HashLink>, Fault> {
+    let listed = rigged.client.records()?;
+    let link = |id| Ok(record::link(&rigged.record(id)?)?);
     listed.iter().map(|line| line.id).map(link).collect()
 }
 
 #[test]
 fn settings_change_under_a_hand_alone_and_each_change_is_a_record() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
-    let before = bench.client.settings()?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
+    let before = rigged.client.settings()?;
     let wanted = recalibrated(&before)?;
 
     // A host alone changes nothing.
-    expect_refusal(bench.client.write_settings(wanted.clone()));
+    expect_refusal(rigged.client.write_settings(wanted.clone()));
     let mut input = before.clone();
     input.reference_input.volt_per_code *= 2.0;
-    expect_refusal(bench.client.write_settings(input));
-    assert_eq!(bench.client.settings()?, before);
-    assert_eq!(bench.client.records()?, []);
-    bench.run(&[point(160.0, 10.0)])?;
+    expect_refusal(rigged.client.write_settings(input));
+    assert_eq!(rigged.client.settings()?, before);
+    assert_eq!(rigged.client.records()?, []);
+    rigged.run(&[point(160.0, 10.0)])?;
 
     // Under a hand it does, the reference and others.
-    bench.under_a_hand(|client| Ok(client.write_settings(wanted.clone())?))?;
-    assert_eq!(bench.client.settings()?, wanted.settings);
+    rigged.under_a_hand(|client| Ok(client.write_settings(wanted.clone())?))?;
+    assert_eq!(rigged.client.settings()?, wanted.settings);
     // The hand has gone. The same once more is no change, and another one is refused.
-    bench.client.write_settings(wanted.clone())?;
-    expect_refusal(bench.client.write_settings(before.clone()));
+    rigged.client.write_settings(wanted.clone())?;
+    expect_refusal(rigged.client.write_settings(before.clone()));
     // A short press for it is no tap either: it starts nothing.
-    bench.under_a_hand(|client| Ok(client.write_settings(wanted.clone())?))?;
-    assert!(!bench.client.status()?.state.is_running());
-    bench.run(&[point(160.0, 10.0)])?;
+    rigged.under_a_hand(|client| Ok(client.write_settings(wanted.clone())?))?;
+    assert!(!rigged.client.status()?.state.is_running());
+    rigged.run(&[point(160.0, 10.0)])?;
 
     // What is left of it survives the supply.
-    let logged = bench.record(2)?;
-    let chain = links(&mut bench)?;
-    bench.board().power_cycle()?;
-    bench.client.wait(BOOT)?;
-    assert_eq!(bench.client.settings()?, wanted.settings);
-    assert_eq!(bench.record(2)?, logged);
-    assert_eq!(links(&mut bench)?, chain);
+    let logged = rigged.record(2)?;
+    let chain = links(&mut rigged)?;
+    rigged.board().power_cycle()?;
+    rigged.client.wait(BOOT)?;
+    assert_eq!(rigged.client.settings()?, wanted.settings);
+    assert_eq!(rigged.record(2)?, logged);
+    assert_eq!(links(&mut rigged)?, chain);
 
     let change = change::decode(&logged)?;
     assert_eq!(change.settings, wanted.settings);
@@ -92,7 +92,7 @@ fn settings_change_under_a_hand_alone_and_each_change_is_a_record() -> Result<()
         assert_eq!(pair[1].previous_sha256, pair[0].sha256);
     }
     // The runs carry what was in force for each.
-    let run = record::decode(&bench.record(3)?)?;
+    let run = record::decode(&rigged.record(3)?)?;
     assert_eq!(run.settings, wanted.settings);
     let provenance = run.provenance;
     assert_eq!(provenance.sha256, settings_digest(&wanted.settings));
@@ -105,15 +105,15 @@ fn settings_change_under_a_hand_alone_and_each_change_is_a_record() -> Result<()
 /// also by those behind a restart.
 #[test]
 fn a_record_tells_that_settings_changed_since_the_reference_was_calibrated() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
-    let before = bench.client.settings()?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
+    let before = rigged.client.settings()?;
     let recalibrated = recalibrated(&before)?;
-    bench.under_a_hand(|client| Ok(client.write_settings(recalibrated.clone())?))?;
-    bench.adjust(|settings| settings.limits.acceleration_peak_ms2 *= 2.0)?;
-    bench.board().power_cycle()?;
-    bench.client.wait(BOOT)?;
-    bench.run(&[point(160.0, 10.0)])?;
-    let record = record::decode(&bench.record(3)?)?;
+    rigged.under_a_hand(|client| Ok(client.write_settings(recalibrated.clone())?))?;
+    rigged.adjust(|settings| settings.limits.acceleration_peak_ms2 *= 2.0)?;
+    rigged.board().power_cycle()?;
+    rigged.client.wait(BOOT)?;
+    rigged.run(&[point(160.0, 10.0)])?;
+    let record = record::decode(&rigged.record(3)?)?;
     let provenance = record.provenance;
     assert!(provenance.differs_from_reference());
     let calibrated = settings_digest(&recalibrated.settings);
@@ -128,7 +128,7 @@ fn a_record_tells_that_settings_changed_since_the_reference_was_calibrated() -> 
 /// A temperature no transducer has is no condition of a run.
 #[test]
 fn a_condition_that_cannot_be_true_is_refused() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
     for (centi_c, accepted) in [(-5_501, false), (20_001, false), (20_000, true)] {
         let spec = RunSpec {
             points: [point(160.0, 10.0)].into_iter().collect(),
@@ -138,7 +138,7 @@ fn a_condition_that_cannot_be_true_is_refused() -> Result<(), Fault> {
                 ..RunLabels::default()
             },
         };
-        match bench.client.start(spec) {
+        match rigged.client.start(spec) {
             Err(Error::Refused(refused)) => assert_eq!(refused.refusal, Refusal::Conditions),
             started => assert!(accepted, "{centi_c}: {started:?}"),
         }
@@ -148,21 +148,21 @@ fn a_condition_that_cannot_be_true_is_refused() -> Result<(), Fault> {
 
 #[test]
 fn no_line_of_text_reaches_the_settings_even_under_a_hand() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
-    let before = bench.client.settings()?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
+    let before = rigged.client.settings()?;
     let wanted = recalibrated(&before)?;
     // A frame among lines, without the zero that tells it from them, and with a line's end.
     let request = calib_protocol::message::Request::SettingsWrite(wanted);
     let mut frame = vec![0; frame::MAX_FRAME];
     let length = frame::encode(9, &request, &mut frame)?;
     let lines = b"SYST:REF 1\nCONF:REF 0.01\nCAL:REF 0.01\nSENS:CORR 2\n*RST\n";
-    bench.under_a_hand(|client| Ok(client.wait(Duration::from_millis(10))?))?;
-    bench.board().write_serial(lines);
-    bench.client.wait(Duration::from_millis(200))?;
-    bench.board().write_serial(&frame[..length - 1]);
-    bench.board().write_serial(b"\n");
-    bench.client.wait(Duration::from_millis(500))?;
-    bench.client.stop()?;
-    assert_eq!(bench.client.settings()?, before);
+    rigged.under_a_hand(|client| Ok(client.wait(Duration::from_millis(10))?))?;
+    rigged.board().write_serial(lines);
+    rigged.client.wait(Duration::from_millis(200))?;
+    rigged.board().write_serial(&frame[..length - 1]);
+    rigged.board().write_serial(b"\n");
+    rigged.client.wait(Duration::from_millis(500))?;
+    rigged.client.stop()?;
+    assert_eq!(rigged.client.settings()?, before);
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! `calib selfcheck` by the shipping image: the ten runs of a check on the emulated board.
 
 use calib_metrology::reciprocity::change;
-use calib_tests::bench::{Bench, Fault, true_certificate};
+use calib_tests::rigged::{Fault, Rigged, true_certificate};
 use calib_tests::self_check::{LONGEST, by_image, linear, plan};
 use calib_twin::oracle;
 use calib_twin::reciprocity::session::Level;
@@ -12,14 +12,14 @@ use calib_twin::reciprocity::session::Level;
 fn a_check_finds_the_reference_within_its_uncertainty_in_four_minutes_and_its_drift()
 -> Result<(), Fault> {
     let draw = linear(11);
-    let mut bench = Bench::with_rig(&draw.rig)?;
-    bench.certify_reference(&true_certificate(&draw.rig))?;
+    let mut rigged = Rigged::with_rig(&draw.rig)?;
+    rigged.certify_reference(&true_certificate(&draw.rig))?;
     let all = plan(0.050, draw.stated.mass_kg).levels;
     let half: Vec<Level> = all.iter().copied().step_by(2).collect();
     assert_eq!(2 * half.len(), all.len());
-    let begun = bench.board().elapsed();
-    let found = by_image(&mut bench, &draw, &half)?;
-    let took = bench.board().elapsed() - begun;
+    let begun = rigged.board().elapsed();
+    let found = by_image(&mut rigged, &draw, &half)?;
+    let took = rigged.board().elapsed() - begun;
     println!(
         "half a check: {:.1} s, {:?}",
         took.as_secs_f64(),
@@ -42,10 +42,10 @@ fn a_check_finds_the_reference_within_its_uncertainty_in_four_minutes_and_its_dr
         );
     }
 
-    bench.adjust(|settings| settings.blocks = 2)?;
+    rigged.adjust(|settings| settings.blocks = 2)?;
     let changed = draw.on_another_day(1).with_reference_changed(0.99);
     let drifted =
-        change(&by_image(&mut bench, &changed, &half)?, &found).ok_or("four frequencies")?;
+        change(&by_image(&mut rigged, &changed, &half)?, &found).ok_or("four frequencies")?;
     println!("{drifted:?}");
     assert!(drifted.significant, "{drifted:?}");
     assert!(

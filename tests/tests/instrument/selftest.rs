@@ -3,7 +3,7 @@
 use calib_core::point_state::PointState;
 use calib_core::self_test::{Check, Line};
 use calib_protocol::message::Refusal;
-use calib_tests::bench::{Bench, Fault, point};
+use calib_tests::rigged::{Fault, Rigged, point};
 use calib_twin::board::{Flaw, Flawed, PartFault, RECORD_FLASH, SECTOR_BYTES};
 use calib_twin::rig::Rig;
 use std::time::Duration;
@@ -17,12 +17,12 @@ fn failed(lines: &[Line]) -> Vec<Check> {
 }
 
 /// The lines that fail with `faults` on the board.
-fn found(bench: &mut Bench, faults: &[PartFault]) -> Result<Vec<Check>, Fault> {
+fn found(rigged: &mut Rigged, faults: &[PartFault]) -> Result<Vec<Check>, Fault> {
     for fault in faults {
-        bench.board().fail(*fault)?;
+        rigged.board().fail(*fault)?;
     }
-    bench.client.wait(SENSED)?;
-    let lines = bench.client.self_test()?;
+    rigged.client.wait(SENSED)?;
+    let lines = rigged.client.self_test()?;
     let failed = failed(&lines);
     for line in lines.iter().filter(|line| failed.contains(&line.check)) {
         println!("    {line:?}");
@@ -36,27 +36,27 @@ fn flaw(of: Flawed, flaw: Flaw) -> PartFault {
 
 #[test]
 fn a_sound_board_passes_and_its_table_stays_where_it_is() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
     for _ in 0..2 {
-        bench.client.wait(SENSED)?;
-        let lines = bench.client.self_test()?;
+        rigged.client.wait(SENSED)?;
+        let lines = rigged.client.self_test()?;
         for line in &lines {
             println!("{line:?}");
         }
         assert_eq!(failed(&lines), []);
         // The tone went nowhere: not one code but mid-scale since power on, on the exciter's pin.
-        let board = bench.board();
+        let board = rigged.board();
         assert_eq!(board.silent_for(), Some(board.uptime()));
         drop(board);
-        assert_eq!(super::board::unmodelled(&mut bench.board())?, [""; 0]);
+        assert_eq!(super::board::unmodelled(&mut rigged.board())?, [""; 0]);
     }
     // And everything is as before: what is measured passes.
-    bench.adjust(|settings| settings.blocks = 3)?;
-    let outcome = bench.run(&[point(160.0, 10.0)])?;
+    rigged.adjust(|settings| settings.blocks = 3)?;
+    let outcome = rigged.run(&[point(160.0, 10.0)])?;
     assert_eq!(outcome.points.len(), 1);
-    bench.expect_silence(Duration::from_millis(100))?;
-    bench.client.wait(SENSED)?;
-    assert_eq!(failed(&bench.client.self_test()?), []);
+    rigged.expect_silence(Duration::from_millis(100))?;
+    rigged.client.wait(SENSED)?;
+    assert_eq!(failed(&rigged.client.self_test()?), []);
     Ok(())
 }
 
@@ -64,10 +64,10 @@ fn a_sound_board_passes_and_its_table_stays_where_it_is() -> Result<(), Fault> {
 /// samples then, and levels are reached as before.
 #[test]
 fn levels_are_reached_wherever_the_rings_stand() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
     for tests in 0..5 {
         let points = [160.0, 80.0, 1000.0, 1250.0].map(|hz| point(hz, 10.0));
-        let outcome = bench.run(&points)?;
+        let outcome = rigged.run(&points)?;
         assert_eq!(outcome.points.len(), 4);
         for result in &outcome.points {
             let hz = result.spec.frequency_hz;
@@ -86,10 +86,10 @@ fn levels_are_reached_wherever_the_rings_stand() -> Result<(), Fault> {
                 "{tests}: {result:?}"
             );
         }
-        bench
+        rigged
             .client
             .wait(SENSED + Duration::from_micros(3300 * tests))?;
-        assert_eq!(failed(&bench.client.self_test()?), []);
+        assert_eq!(failed(&rigged.client.self_test()?), []);
     }
     Ok(())
 }
@@ -97,20 +97,20 @@ fn levels_are_reached_wherever_the_rings_stand() -> Result<(), Fault> {
 #[test]
 fn no_test_during_a_run() -> Result<(), Fault> {
     use calib_protocol::message::RunSpec;
-    let mut bench = Bench::with_rig(&Rig::standard())?;
-    bench.client.start(RunSpec {
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
+    rigged.client.start(RunSpec {
         points: [point(160.0, 10.0)].into_iter().collect(),
         labels: Default::default(),
         excitation: Default::default(),
     })?;
-    bench.client.wait(Duration::from_millis(300))?;
-    let refused = bench.client.self_test().expect_err("a run is going on");
+    rigged.client.wait(Duration::from_millis(300))?;
+    let refused = rigged.client.self_test().expect_err("a run is going on");
     let calib_link::Error::Refused(refused) = refused else {
         return Err(refused.into());
     };
     assert_eq!(refused.refusal, Refusal::Busy);
-    bench.client.stop()?;
-    bench.expect_silence(Duration::from_millis(200))
+    rigged.client.stop()?;
+    rigged.expect_silence(Duration::from_millis(200))
 }
 
 /// Option bytes as the factory leaves them (RM0433 Rev 9, table 21).
@@ -122,8 +122,8 @@ const LEVEL_3: u32 = 0b1100;
 #[test]
 fn a_part_of_the_factory_is_named_by_the_test_and_by_its_health() -> Result<(), Fault> {
     use Check::{BrownOut, OptionBytes};
-    let mut bench = Bench::with_rig(&Rig::standard())?;
-    let health = bench.client.health()?.ok_or("it knows its health")?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
+    let health = rigged.client.health()?.ok_or("it knows its health")?;
     let options = health.option_bytes.ok_or("it knows its option bytes")?;
     assert_eq!(
         (options.0, options.brown_out_level()),
@@ -137,17 +137,17 @@ fn a_part_of_the_factory_is_named_by_the_test_and_by_its_health() -> Result<(), 
         // A watchdog of the hardware, from reset on, and level 1.
         (FACTORY & !0x10 | 0b0100, 1, &[BrownOut, OptionBytes]),
     ] {
-        bench.board().fail(PartFault::OptionBytes { status })?;
+        rigged.board().fail(PartFault::OptionBytes { status })?;
         // The part loads them when the power comes.
-        bench.board().power_cycle()?;
-        bench.client.wait(Duration::from_secs(1))?;
-        assert_eq!(found(&mut bench, &[])?, want, "{status:#x}");
-        let health = bench.client.health()?.ok_or("it knows its health")?;
+        rigged.board().power_cycle()?;
+        rigged.client.wait(Duration::from_secs(1))?;
+        assert_eq!(found(&mut rigged, &[])?, want, "{status:#x}");
+        let health = rigged.client.health()?.ok_or("it knows its health")?;
         let told = health.option_bytes.ok_or("it knows its option bytes")?;
         assert_eq!((told.0, told.brown_out_level()), (status, level));
     }
-    bench.board().mend()?;
-    assert_eq!(found(&mut bench, &[])?, []);
+    rigged.board().mend()?;
+    assert_eq!(found(&mut rigged, &[])?, []);
     Ok(())
 }
 
@@ -155,30 +155,30 @@ fn a_part_of_the_factory_is_named_by_the_test_and_by_its_health() -> Result<(), 
 fn flash_that_wears_out_is_named_by_where_it_is() -> Result<(), Fault> {
     use Check::{FlashCorrected, FlashUnreadable, ImageErrors, Records};
     const IMAGE: u64 = 0x0802_0000;
-    let mut bench = Bench::with_rig(&Rig::standard())?;
-    bench.adjust(|settings| settings.blocks = 3)?;
-    bench.run(&[point(160.0, 10.0)])?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
+    rigged.adjust(|settings| settings.blocks = 3)?;
+    rigged.run(&[point(160.0, 10.0)])?;
     let poisoned = |address| PartFault::PoisonedWord { address };
     let weak = |address| PartFault::WeakWord { address };
     // Behind the image in its slot: a word of it that cannot be read is no board that runs.
-    assert_eq!(found(&mut bench, &[weak(IMAGE + 0x100)])?, [ImageErrors]);
+    assert_eq!(found(&mut rigged, &[weak(IMAGE + 0x100)])?, [ImageErrors]);
     assert_eq!(
-        found(&mut bench, &[poisoned(IMAGE + (384 << 10) - 32)])?,
+        found(&mut rigged, &[poisoned(IMAGE + (384 << 10) - 32)])?,
         [ImageErrors]
     );
     let erased = RECORD_FLASH + 5 * SECTOR_BYTES;
     let known = [ImageErrors];
     // A few words torn by power cuts are no wear; the seventeenth is.
     let torn: Vec<_> = (0..16).map(|word| poisoned(erased + 320 * word)).collect();
-    assert_eq!(found(&mut bench, &torn)?, known);
-    let one_more = found(&mut bench, &[poisoned(erased + 320 * 16)])?;
+    assert_eq!(found(&mut rigged, &torn)?, known);
+    let one_more = found(&mut rigged, &[poisoned(erased + 320 * 16)])?;
     assert_eq!(one_more, [ImageErrors, FlashUnreadable]);
-    let worn = found(&mut bench, &[weak(erased + 64)])?;
+    let worn = found(&mut rigged, &[weak(erased + 64)])?;
     assert_eq!(worn, [ImageErrors, FlashCorrected, FlashUnreadable]);
     // The board restarts and measures on all that.
-    assert_eq!(bench.client.records()?.len(), 2);
+    assert_eq!(rigged.client.records()?.len(), 2);
     // The words of both, the change of the settings and the run: from the first item of the first sector on.
-    let flash = bench.board().record_flash()?;
+    let flash = rigged.board().record_flash()?;
     let stored = flash
         .chunks(32)
         .take(4096)
@@ -187,7 +187,7 @@ fn flash_that_wears_out_is_named_by_where_it_is() -> Result<(), Fault> {
     let all = (32..=last)
         .step_by(32)
         .map(|at| poisoned(RECORD_FLASH + at));
-    let lost = found(&mut bench, &all.collect::<Vec<_>>())?;
+    let lost = found(&mut rigged, &all.collect::<Vec<_>>())?;
     assert_eq!(
         lost,
         [Records, ImageErrors, FlashCorrected, FlashUnreadable]
@@ -263,7 +263,7 @@ fn each_defect_fails_its_lines_and_no_other() -> Result<(), Fault> {
         ("DAC dead", flaw(dac, dead), &[DriveGain]),
         ("slave's data shifted", starts, &[Alignment]),
     ];
-    let mut bench = Bench::with_rig(&Rig::standard())?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
     let mend = [
         flaw(adc1, sound),
         flaw(adc2, sound),
@@ -275,11 +275,11 @@ fn each_defect_fails_its_lines_and_no_other() -> Result<(), Fault> {
     let mut wrong = Vec::new();
     for (defect, fault, want) in defects {
         println!("{defect}");
-        let seen = found(&mut bench, &[fault])?;
+        let seen = found(&mut rigged, &[fault])?;
         if seen != want {
             wrong.push(format!("{defect}: {seen:?} and not {want:?}"));
         }
-        let after = found(&mut bench, &mend)?;
+        let after = found(&mut rigged, &mend)?;
         if !after.is_empty() {
             wrong.push(format!("after {defect}: {after:?}"));
         }
@@ -294,9 +294,9 @@ fn a_dither_that_is_not_there_or_too_small_is_named() -> Result<(), Fault> {
     for share in [0.0, 0.9] {
         let mut rig = Rig::standard();
         rig.converter.dither_peak_v *= share;
-        let mut bench = Bench::with_rig(&rig)?;
-        bench.client.wait(SENSED)?;
-        let named = failed(&bench.client.self_test()?);
+        let mut rigged = Rigged::with_rig(&rig)?;
+        rigged.client.wait(SENSED)?;
+        let named = failed(&rigged.client.self_test()?);
         assert_eq!(named, [Check::ReferenceDither, Check::DutDither], "{share}");
     }
     Ok(())
@@ -304,13 +304,13 @@ fn a_dither_that_is_not_there_or_too_small_is_named() -> Result<(), Fault> {
 
 #[test]
 fn what_happened_since_the_start_is_named() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
-    let lost = found(&mut bench, &[PartFault::AdcOverrun])?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
+    let lost = found(&mut rigged, &[PartFault::AdcOverrun])?;
     assert_eq!(lost, [Check::LostPairs]);
     // The task that takes the samples stands still, and the board starts again for it.
-    let restarted = found(&mut bench, &[PartFault::DmaStops { stream: 1 }])?;
+    let restarted = found(&mut rigged, &[PartFault::DmaStops { stream: 1 }])?;
     println!("{restarted:?}");
-    bench.client.wait(Duration::from_secs(1))?;
-    assert_eq!(failed(&bench.client.self_test()?), [Check::LastStart]);
+    rigged.client.wait(Duration::from_secs(1))?;
+    assert_eq!(failed(&rigged.client.self_test()?), [Check::LastStart]);
     Ok(())
 }

@@ -3,7 +3,7 @@
 use calib_core::settings::{Method, PointInfluences, Settings};
 use calib_link::Error;
 use calib_protocol::message::Refusal;
-use calib_tests::bench::{Bench, Fault, point};
+use calib_tests::rigged::{Fault, Rigged, point};
 use calib_twin::rig::Rig;
 
 /// Changes by an adversary, by name.
@@ -38,14 +38,14 @@ const ATTACKS: [Attack; 9] = [
 
 #[test]
 fn a_host_without_a_hand_changes_nothing_that_shapes_a_number_or_a_limit() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
-    let before = bench.client.settings()?;
-    let honest = bench.run(&[point(160.0, 10.0)])?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
+    let before = rigged.client.settings()?;
+    let honest = rigged.run(&[point(160.0, 10.0)])?;
     let mut taken = Vec::new();
     for (name, attack) in ATTACKS {
-        let mut settings = bench.client.settings()?;
+        let mut settings = rigged.client.settings()?;
         attack(&mut settings);
-        match bench.client.write_settings(settings) {
+        match rigged.client.write_settings(settings) {
             Err(Error::Refused(refused)) => {
                 assert!(
                     [Refusal::ButtonNotHeld, Refusal::Settings].contains(&refused.refusal),
@@ -56,7 +56,7 @@ fn a_host_without_a_hand_changes_nothing_that_shapes_a_number_or_a_limit() -> Re
             Ok(()) => taken.push(name),
         }
     }
-    let attacked = bench.run(&[point(160.0, 10.0)])?;
+    let attacked = rigged.run(&[point(160.0, 10.0)])?;
     let (honest, attacked) = (honest.points[0], attacked.points[0]);
     for (name, point) in [("before", honest), ("after", attacked)] {
         println!(
@@ -67,7 +67,7 @@ fn a_host_without_a_hand_changes_nothing_that_shapes_a_number_or_a_limit() -> Re
         );
     }
     assert_eq!(taken, [""; 0], "taken without a hand");
-    assert_eq!(bench.client.settings()?, before);
+    assert_eq!(rigged.client.settings()?, before);
     // Two runs of one rig agree within twice what both say of their scatter, k = 2: 4 u of each.
     let scatter_rel = 4.0 * honest.repeatability_rel.hypot(attacked.repeatability_rel);
     let change_rel = attacked.sensitivity_v_per_ms2 / honest.sensitivity_v_per_ms2 - 1.0;

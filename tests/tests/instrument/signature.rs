@@ -6,7 +6,7 @@ use calib_protocol::message::Refusal;
 use calib_protocol::record;
 use calib_record::sample::mend;
 use calib_record::signature::{Signed, signed};
-use calib_tests::bench::{Bench, Fault, point};
+use calib_tests::rigged::{Fault, Rigged, point};
 use calib_twin::rig::Rig;
 
 fn refusal<T: std::fmt::Debug>(answer: Result<T, Error>) -> Result<Refusal, Fault> {
@@ -17,9 +17,9 @@ fn refusal<T: std::fmt::Debug>(answer: Result<T, Error>) -> Result<Refusal, Faul
 }
 
 /// The record of a run, as the instrument hands it out.
-fn measured(bench: &mut Bench) -> Result<Vec<u8>, Fault> {
-    let id = bench.run(&[point(160.0, 10.0)])?.record_id;
-    bench.record(id)
+fn measured(rigged: &mut Rigged) -> Result<Vec<u8>, Fault> {
+    let id = rigged.run(&[point(160.0, 10.0)])?.record_id;
+    rigged.record(id)
 }
 
 /// Alters one bit and corrects the checksum.
@@ -32,19 +32,19 @@ fn altered(bytes: &[u8], at: usize) -> Vec<u8> {
 
 #[test]
 fn a_key_made_under_a_hand_signs_every_record_and_a_forgery_finds_no_place() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
-    assert_eq!(bench.client.key()?, None);
-    assert_eq!(refusal(bench.client.make_key())?, Refusal::ButtonNotHeld);
-    let unsigned = measured(&mut bench)?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
+    assert_eq!(rigged.client.key()?, None);
+    assert_eq!(refusal(rigged.client.make_key())?, Refusal::ButtonNotHeld);
+    let unsigned = measured(&mut rigged)?;
     assert_eq!(signed(&unsigned)?, Signed::No);
 
-    let key = bench.under_a_hand(|client| Ok(client.make_key()?))?;
-    let again = bench.under_a_hand(|client| refusal(client.make_key()))?;
+    let key = rigged.under_a_hand(|client| Ok(client.make_key()?))?;
+    let again = rigged.under_a_hand(|client| refusal(client.make_key()))?;
     assert_eq!(again, Refusal::KeyExists);
     assert_eq!(key.since, record::link(&unsigned)?.id + 1);
-    assert_eq!(bench.client.key()?, Some(key));
+    assert_eq!(rigged.client.key()?, Some(key));
 
-    let true_one = measured(&mut bench)?;
+    let true_one = measured(&mut rigged)?;
     assert_eq!(signed(&true_one)?, Signed::By(key.public));
 
     let folder = tempfile::tempdir()?;

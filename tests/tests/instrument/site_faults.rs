@@ -1,11 +1,11 @@
-//! Faults that happen on site end in a named verdict, a silent exciter and a record, and never in a
+//! Faults that happen on site end in a named reason, a silent exciter and a record, and never in a
 //! table that runs away. The scenarios are the files in `scenarios/site`.
 
 use calib_core::point_state::PointState;
 use calib_link::Error;
 use calib_link::session::Outcome;
 use calib_protocol::message::RunState;
-use calib_tests::bench::{Bench, Fault, point};
+use calib_tests::rigged::{Fault, Rigged, point};
 use calib_tests::witness::{Seen, Witness};
 use calib_twin::rig::Rig;
 use serde::Deserialize;
@@ -31,8 +31,8 @@ struct Scenario {
     level_ms2: f32,
     effects: Vec<String>,
     faults: Vec<String>,
-    /// Name of the reason, or `Pass`; more than one where chance decides.
-    verdicts: Vec<String>,
+    /// Name of the reason, or `Valid`; more than one where chance decides.
+    states: Vec<String>,
     /// Highest acceleration of the table, relative to the set level.
     #[serde(default = "usual_highest_rel")]
     highest_rel: f64,
@@ -55,10 +55,10 @@ fn usual_highest_rel() -> f64 {
 }
 
 #[test]
-fn every_fault_ends_in_its_verdict_silence_and_a_record() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
+fn every_fault_ends_in_its_reason_silence_and_a_record() -> Result<(), Fault> {
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
     // From some 0.2 s on a point is measured, for half a second.
-    bench.adjust(|settings| settings.blocks = 5)?;
+    rigged.adjust(|settings| settings.blocks = 5)?;
     let mut failures = Vec::new();
     let files = scenario_files()?;
     assert!(files.len() >= 20, "{} scenarios", files.len());
@@ -66,7 +66,7 @@ fn every_fault_ends_in_its_verdict_silence_and_a_record() -> Result<(), Fault> {
         let scenario: Scenario = toml::from_str(&std::fs::read_to_string(file)?)
             .map_err(|error| format!("{}: {error}", file.display()))?;
         let name = file.file_stem().unwrap_or_default().to_string_lossy();
-        for failure in carry_out(&mut bench, &scenario)? {
+        for failure in carry_out(&mut rigged, &scenario)? {
             failures.push(format!("{name} ({}): {failure}", scenario.what));
         }
     }
@@ -75,23 +75,23 @@ fn every_fault_ends_in_its_verdict_silence_and_a_record() -> Result<(), Fault> {
 }
 
 /// Runs one point and says what was not as it must be.
-fn carry_out(bench: &mut Bench, scenario: &Scenario) -> Result<Vec<String>, Fault> {
+fn carry_out(rigged: &mut Rigged, scenario: &Scenario) -> Result<Vec<String>, Fault> {
     let set_peak_ms2 = f64::from(scenario.level_ms2) * std::f64::consts::SQRT_2;
-    let pairs = bench.board().sample_pairs();
+    let pairs = rigged.board().sample_pairs();
     let (witness, seen) = Witness::new(&scenario.rig()?, HIGHEST_REL * set_peak_ms2, pairs);
-    drop(bench.board().replace_rig(Box::new(witness)));
-    let records = bench.client.records()?.len();
-    bench
+    drop(rigged.board().replace_rig(Box::new(witness)));
+    let records = rigged.client.records()?.len();
+    rigged
         .client
         .wait(Duration::from_secs_f64(scenario.mounted_for_s))?;
-    let started = bench.run_held(&[point(scenario.frequency_hz, scenario.level_ms2)]);
+    let started = rigged.run_held(&[point(scenario.frequency_hz, scenario.level_ms2)]);
     if let Some(reason) = &scenario.not_started {
-        return not_started(bench, started, reason, records);
+        return not_started(rigged, started, reason, records);
     }
     let mut failures = scenario.wrong_with_motion(&seen.take(), set_peak_ms2);
-    failures.extend(wrong_with_record(bench, scenario, &started?, records)?);
-    bench.expect_silence(Duration::from_millis(100))?;
-    if bench.client.status()?.overruns != 0 {
+    failures.extend(wrong_with_record(rigged, scenario, &started?, records)?);
+    rigged.expect_silence(Duration::from_millis(100))?;
+    if rigged.client.status()?.overruns != 0 {
         failures.push("samples lost".to_owned());
     }
     Ok(failures)
@@ -136,20 +136,20 @@ impl Scenario {
 
 /// Forbidden claims of result and record. There were `records` before.
 fn wrong_with_record(
-    bench: &mut Bench,
+    rigged: &mut Rigged,
     scenario: &Scenario,
     outcome: &Outcome,
     records: usize,
 ) -> Result<Vec<String>, Fault> {
     let result = outcome.points.first().ok_or("no result")?;
-    let verdict = match result.state {
-        PointState::Valid => "Pass".to_owned(),
+    let state = match result.state {
+        PointState::Valid => "Valid".to_owned(),
         PointState::Refused(reason) => format!("{reason:?}"),
     };
-    println!("{verdict:<20}");
+    println!("{state:<20}");
     let mut failures = Vec::new();
-    if !scenario.verdicts.contains(&verdict) {
-        failures.push(format!("verdict {verdict}"));
+    if !scenario.states.contains(&state) {
+        failures.push(format!("state {state}"));
     }
     if outcome.state == RunState::Failed {
         failures.push("not stored".to_owned());
@@ -157,8 +157,8 @@ fn wrong_with_record(
     if outcome.record_id as usize != records + 1 {
         failures.push("another record".to_owned());
     }
-    let refused = bench.client.records()?.last().map(|record| record.refused);
-    if refused != Some(u16::from(verdict != "Pass")) {
+    let refused = rigged.client.records()?.last().map(|record| record.refused);
+    if refused != Some(u16::from(state != "Valid")) {
         failures.push("the record does not say so".to_owned());
     }
     Ok(failures)
@@ -166,7 +166,7 @@ fn wrong_with_record(
 
 /// Checks a start that must not happen: the instrument declines, stays silent, and stores nothing.
 fn not_started(
-    bench: &mut Bench,
+    rigged: &mut Rigged,
     started: Result<Outcome, Fault>,
     reason: &str,
     records: usize,
@@ -182,10 +182,10 @@ fn not_started(
     if refusal != reason {
         failures.push(format!("{refusal} in place of {reason}"));
     }
-    if bench.board().silent_for() < Some(STILL_SILENT) {
+    if rigged.board().silent_for() < Some(STILL_SILENT) {
         failures.push("the exciter moved".to_owned());
     }
-    if bench.client.records()?.len() != records {
+    if rigged.client.records()?.len() != records {
         failures.push("a record of nothing".to_owned());
     }
     println!("{refusal:<20} and silent");

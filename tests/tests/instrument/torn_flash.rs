@@ -4,7 +4,7 @@ use calib_core::point::ExcitationKind;
 use calib_protocol::frame::{MAX_FRAME, encode};
 use calib_protocol::message::{Request, ResetCause, RunSpec, RunState};
 use calib_protocol::record::RunLabels;
-use calib_tests::bench::{Bench, Fault, point};
+use calib_tests::rigged::{Fault, Rigged, point};
 use calib_twin::board::{PartFault, RECORD_FLASH, SECTOR_BYTES};
 use calib_twin::rig::Rig;
 use calib_twin::rig_port::ShortedInputs;
@@ -34,10 +34,10 @@ enum Cause {
 #[test]
 fn no_restart_tears_the_word_that_is_being_programmed() -> Result<(), Fault> {
     for cause in [Cause::SupplySinks, Cause::Panic] {
-        let mut bench = Bench::with_port(Box::new(ShortedInputs))?;
-        let mut settings = bench.client.settings()?;
+        let mut rigged = Rigged::with_port(Box::new(ShortedInputs))?;
+        let mut settings = rigged.client.settings()?;
         settings.blocks += 2;
-        let mut board = bench.board();
+        let mut board = rigged.board();
         board.press_button(true)?;
         board.run_for(Duration::from_millis(60))?;
         let ordinal = board.flash_watch().operations() + NTH;
@@ -62,26 +62,26 @@ fn no_restart_tears_the_word_that_is_being_programmed() -> Result<(), Fault> {
 
 #[test]
 fn a_host_that_resets_while_a_record_is_stored_tears_nothing_and_gets_it() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
-    let id = bench.client.start(RunSpec {
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
+    let id = rigged.client.start(RunSpec {
         points: [point(1000.0, 10.0)].into_iter().collect(),
         excitation: ExcitationKind::SingleSine,
         labels: RunLabels::default(),
     })?;
     {
-        let mut board = bench.board();
+        let mut board = rigged.board();
         let ordinal = board.flash_watch().operations() + NTH;
         let stored = Duration::from_secs(20);
         assert!(board.run_into_flash_operation(ordinal, EARLY, stored)?);
         drop(board.read_serial());
         send(&mut board, &Request::Reset)?;
     }
-    bench.client.wait(BOOT)?;
-    let torn = bench.board().flash_watch().torn();
+    rigged.client.wait(BOOT)?;
+    let torn = rigged.board().flash_watch().torn();
     assert_eq!(torn, [0, 0], "words and sectors torn");
-    assert_eq!(bench.client.info()?.reset_cause, ResetCause::Software);
-    assert_eq!(bench.client.status()?.state, RunState::Idle);
-    let ids: Vec<u32> = bench.client.records()?.iter().map(|r| r.id).collect();
+    assert_eq!(rigged.client.info()?.reset_cause, ResetCause::Software);
+    assert_eq!(rigged.client.status()?.state, RunState::Idle);
+    let ids: Vec<u32> = rigged.client.records()?.iter().map(|r| r.id).collect();
     assert_eq!(ids, [id]);
     Ok(())
 }

@@ -8,7 +8,7 @@ use calib_link::{Client, Error};
 use calib_protocol::frame::{Frame, MAX_FRAME, encode};
 use calib_protocol::message::{Refusal, Request, ResetCause, Response};
 use calib_protocol::update::{ImageSigner, ImageSlot, RunningImage, UpdateStep};
-use calib_tests::bench::{Bench, Fault, point};
+use calib_tests::rigged::{Fault, Rigged, point};
 use calib_tests::two_slots::{BOARD, TwoSlots, VERSION, release};
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;
@@ -25,10 +25,10 @@ const BUTTON_SEEN: Duration = Duration::from_millis(60);
 /// An image of so many bytes has vectors and nothing they lead to.
 const SHORT: usize = 2048;
 
-fn bench(slots: &TwoSlots) -> Result<Bench, Fault> {
-    let mut bench = Bench::of(slots.commissioned(Box::new(ShortedInputs))?);
-    bench.client.wait(BOOT)?;
-    Ok(bench)
+fn rigged(slots: &TwoSlots) -> Result<Rigged, Fault> {
+    let mut rigged = Rigged::of(slots.commissioned(Box::new(ShortedInputs))?);
+    rigged.client.wait(BOOT)?;
+    Ok(rigged)
 }
 
 /// An update of images that do not run.
@@ -42,16 +42,16 @@ fn short(slots: &TwoSlots, version: &str, board: &str, seed: &[u8; 32]) -> Vec<u
 #[test]
 fn an_update_runs_from_the_other_slot_and_is_confirmed() -> Result<(), Fault> {
     let slots = TwoSlots::read()?;
-    let mut bench = Bench::of(slots.commissioned(Box::new(Plant::new(&Rig::standard())))?);
-    bench.client.wait(BOOT)?;
-    let before = bench.client.running_image()?;
+    let mut rigged = Rigged::of(slots.commissioned(Box::new(Plant::new(&Rig::standard())))?);
+    rigged.client.wait(BOOT)?;
+    let before = rigged.client.running_image()?;
     assert_eq!(before.slot, ImageSlot::A);
     assert_eq!(before.origin.signer, ImageSigner::Development);
     assert!(!before.on_trial && !before.rolled_back);
     let update = slots.another();
     let mut written = 0;
     // Over USB, which is faster; the serial line is another test's (tests/tests/tool/updates.rs).
-    let usb = EmulatedUsbTransport::plug_in(bench.shared())?;
+    let usb = EmulatedUsbTransport::plug_in(rigged.shared())?;
     let sent = send(&mut Client::new(Box::new(usb)), &update, |progress| {
         written = progress.written
     })?;
@@ -59,43 +59,43 @@ fn an_update_runs_from_the_other_slot_and_is_confirmed() -> Result<(), Fault> {
         (sent.slot, written),
         (ImageSlot::B, slots.image(Slot::B).len() + 32)
     );
-    assert!(bench.board().silent_for().is_some(), "the exciter moved");
+    assert!(rigged.board().silent_for().is_some(), "the exciter moved");
     assert_eq!(
-        bench.board().resets()?,
+        rigged.board().resets()?,
         Vec::<String>::new(),
         "the watchdog was not fed"
     );
-    let in_start = cut_in_next_operation(&mut bench)?;
+    let in_start = cut_in_next_operation(&mut rigged)?;
     assert!(matches!(in_start, Torn::Word { .. }), "{in_start:?}");
-    bench.client.wait(BOOT)?;
-    let on_trial = bench.client.running_image()?;
+    rigged.client.wait(BOOT)?;
+    let on_trial = rigged.client.running_image()?;
     assert!(
         on_trial.slot == ImageSlot::B && on_trial.on_trial,
         "{on_trial:?}"
     );
-    let in_confirm = cut_in_confirm(&mut bench)?;
+    let in_confirm = cut_in_confirm(&mut rigged)?;
     assert!(matches!(in_confirm, Torn::Word { .. }), "{in_confirm:?}");
-    bench.client.wait(BOOT)?;
-    let running = confirm(&mut bench.client, &sent)?;
+    rigged.client.wait(BOOT)?;
+    let running = confirm(&mut rigged.client, &sent)?;
     assert_eq!((running.slot, running.on_trial), (ImageSlot::B, false));
     assert_eq!(running.origin.sha256, sent.sha256);
     for _ in 0..4 {
-        bench.board().power_cycle()?;
-        bench.client.wait(BOOT)?;
-        assert_eq!(bench.client.running_image()?, running);
+        rigged.board().power_cycle()?;
+        rigged.client.wait(BOOT)?;
+        assert_eq!(rigged.client.running_image()?, running);
     }
-    let outcome = bench.run(&[point(160.0, 10.0)])?;
+    let outcome = rigged.run(&[point(160.0, 10.0)])?;
     assert_eq!(outcome.points.len(), 1, "it measures from slot B");
     // What clocks and power find odd in a supply that comes back is not of an update.
-    let gaps = bench.board().gaps()?;
+    let gaps = rigged.board().gaps()?;
     let of_an_update = |gap: &&Gap| gap.0.contains("Flash") || gap.0.contains("IWDG");
     assert_eq!(gaps.iter().find(of_an_update), None);
     Ok(())
 }
 
 /// Cuts the supply in the first operation of the next start, and restores it.
-fn cut_in_next_operation(bench: &mut Bench) -> Result<Torn, Fault> {
-    let mut board = bench.board();
+fn cut_in_next_operation(rigged: &mut Rigged) -> Result<Torn, Fault> {
+    let mut board = rigged.board();
     board.power_cycle()?;
     let next = board.flash_watch().code_operations() + 1;
     board.run_for(Duration::from_micros(10))?;
@@ -109,8 +109,8 @@ fn cut_in_next_operation(bench: &mut Bench) -> Result<Torn, Fault> {
 }
 
 /// Cuts the supply where the confirmation is written, and restores it.
-fn cut_in_confirm(bench: &mut Bench) -> Result<Torn, Fault> {
-    let mut board = bench.board();
+fn cut_in_confirm(rigged: &mut Rigged) -> Result<Torn, Fault> {
+    let mut board = rigged.board();
     let next = board.flash_watch().code_operations() + 1;
     ask(&mut board, &Request::Update(UpdateStep::Confirm))?;
     assert!(
@@ -192,18 +192,18 @@ fn steps(update: &[u8]) -> Vec<UpdateStep> {
 #[test]
 fn an_image_that_hangs_is_rolled_back() -> Result<(), Fault> {
     let slots = TwoSlots::read()?;
-    let mut bench = bench(&slots)?;
+    let mut rigged = rigged(&slots)?;
     let update = short(&slots, VERSION, BOARD, &DEVELOPMENT_SEED);
-    let sent = send(&mut bench.client, &update, |_| ())?;
-    bench.client.reset()?;
-    bench.client.wait(Duration::from_secs(30))?;
-    let running = bench.client.running_image()?;
+    let sent = send(&mut rigged.client, &update, |_| ())?;
+    rigged.client.reset()?;
+    rigged.client.wait(Duration::from_secs(30))?;
+    let running = rigged.client.running_image()?;
     assert!(running.slot == ImageSlot::A && running.rolled_back && !running.on_trial);
-    let resets = bench.board().resets()?;
+    let resets = rigged.board().resets()?;
     let by_watchdog = resets.iter().filter(|cause| cause.contains("IWDG")).count();
     assert_eq!(by_watchdog, 3, "{resets:?}");
-    assert_eq!(bench.client.info()?.reset_cause, ResetCause::Watchdog);
-    let error = confirm(&mut bench.client, &sent).expect_err("another image runs");
+    assert_eq!(rigged.client.info()?.reset_cause, ResetCause::Watchdog);
+    let error = confirm(&mut rigged.client, &sent).expect_err("another image runs");
     assert!(
         error.to_string().contains("the image it had before"),
         "{error}"
@@ -214,27 +214,27 @@ fn an_image_that_hangs_is_rolled_back() -> Result<(), Fault> {
 #[test]
 fn an_image_that_nobody_confirms_is_rolled_back() -> Result<(), Fault> {
     let slots = TwoSlots::read()?;
-    let mut bench = bench(&slots)?;
-    send(&mut bench.client, &slots.another(), |_| ())?;
+    let mut rigged = rigged(&slots)?;
+    send(&mut rigged.client, &slots.another(), |_| ())?;
     for start in 1..=3 {
-        bench.board().power_cycle()?;
-        wait_for_start(&mut bench.client)?;
-        let running = bench.client.running_image()?;
+        rigged.board().power_cycle()?;
+        wait_for_start(&mut rigged.client)?;
+        let running = rigged.client.running_image()?;
         assert!(
             running.slot == ImageSlot::B && running.on_trial,
             "start {start}: {running:?}"
         );
         // What it may fall back to is not overwritten.
         let again = send(
-            &mut bench.client,
+            &mut rigged.client,
             &short(&slots, VERSION, BOARD, &DEVELOPMENT_SEED),
             |_| (),
         );
         assert_eq!(refusal(again), Some(Refusal::ImageOnTrial));
     }
-    bench.board().power_cycle()?;
-    wait_for_start(&mut bench.client)?;
-    let running = bench.client.running_image()?;
+    rigged.board().power_cycle()?;
+    wait_for_start(&mut rigged.client)?;
+    let running = rigged.client.running_image()?;
     assert!(
         running.slot == ImageSlot::A && running.rolled_back,
         "{running:?}"
@@ -245,9 +245,9 @@ fn an_image_that_nobody_confirms_is_rolled_back() -> Result<(), Fault> {
 #[test]
 fn what_is_not_for_this_instrument_is_refused_and_named() -> Result<(), Fault> {
     let slots = TwoSlots::read()?;
-    let mut bench = bench(&slots)?;
+    let mut rigged = rigged(&slots)?;
     let whole = short(&slots, VERSION, BOARD, &DEVELOPMENT_SEED);
-    let mut refused = |update: &[u8]| refusal(send(&mut bench.client, update, |_| ()));
+    let mut refused = |update: &[u8]| refusal(send(&mut rigged.client, update, |_| ()));
     let other_key = short(&slots, VERSION, BOARD, &[1; 32]);
     assert_eq!(refused(&other_key), Some(Refusal::ImageSignature));
     let other_board = short(&slots, VERSION, "fictitious-carrier", &DEVELOPMENT_SEED);
@@ -263,21 +263,21 @@ fn what_is_not_for_this_instrument_is_refused_and_named() -> Result<(), Fault> {
     let manifest = whole.len() - SHORT - 256;
     flipped[manifest + 50] ^= 1;
     assert_eq!(refused(&flipped), Some(Refusal::ImageSignature));
-    let shorter = send(&mut bench.client, &whole[..whole.len() - 1], |_| ());
+    let shorter = send(&mut rigged.client, &whole[..whole.len() - 1], |_| ());
     let error = shorter.expect_err("not all of it");
     assert!(error.to_string().contains("not all of one"), "{error}");
-    let skipped = bench.client.update(&UpdateStep::Block {
+    let skipped = rigged.client.update(&UpdateStep::Block {
         offset: 4096,
         data: heapless::Vec::from_slice(&[0; 32]).expect("fits"),
     });
     assert_eq!(refusal(skipped), Some(Refusal::UpdateOrder));
-    bench.board().power_cycle()?;
-    wait_for_start(&mut bench.client)?;
-    assert_eq!(bench.client.running_image()?.slot, ImageSlot::A);
+    rigged.board().power_cycle()?;
+    wait_for_start(&mut rigged.client)?;
+    assert_eq!(rigged.client.running_image()?.slot, ImageSlot::A);
     // The older one under a hand.
-    bench.board().press_button(true)?;
-    bench.client.wait(BUTTON_SEEN)?;
-    assert_eq!(refusal(send(&mut bench.client, &older, |_| ())), None);
+    rigged.board().press_button(true)?;
+    rigged.client.wait(BUTTON_SEEN)?;
+    assert_eq!(refusal(send(&mut rigged.client, &older, |_| ())), None);
     Ok(())
 }
 
@@ -286,7 +286,7 @@ fn what_is_not_for_this_instrument_is_refused_and_named() -> Result<(), Fault> {
 fn an_update_is_refused_without_a_loader_and_in_a_run() -> Result<(), Fault> {
     let slots = TwoSlots::read()?;
     let update = short(&slots, VERSION, BOARD, &DEVELOPMENT_SEED);
-    let mut bare = Bench::with_port(Box::new(ShortedInputs))?;
+    let mut bare = Rigged::with_port(Box::new(ShortedInputs))?;
     assert_eq!(bare.client.image()?, None);
     let refused = send(&mut bare.client, &update, |_| ());
     assert_eq!(refusal(refused), Some(Refusal::NoLoader));
@@ -295,16 +295,16 @@ fn an_update_is_refused_without_a_loader_and_in_a_run() -> Result<(), Fault> {
         Some(Refusal::NoLoader)
     );
 
-    let mut bench = Bench::of(slots.commissioned(Box::new(Plant::new(&Rig::standard())))?);
-    bench.client.wait(BOOT)?;
-    bench.client.start(calib_protocol::message::RunSpec {
+    let mut rigged = Rigged::of(slots.commissioned(Box::new(Plant::new(&Rig::standard())))?);
+    rigged.client.wait(BOOT)?;
+    rigged.client.start(calib_protocol::message::RunSpec {
         points: [point(160.0, 10.0)].into_iter().collect(),
         excitation: calib_core::point::ExcitationKind::SingleSine,
         labels: calib_protocol::record::RunLabels::default(),
     })?;
-    let refused = send(&mut bench.client, &update, |_| ());
+    let refused = send(&mut rigged.client, &update, |_| ());
     assert_eq!(refusal(refused), Some(Refusal::Busy));
-    assert_eq!(bench.board().flash_watch().code_operations(), 0);
+    assert_eq!(rigged.board().flash_watch().code_operations(), 0);
     Ok(())
 }
 

@@ -9,8 +9,8 @@ use calib_link::session;
 use calib_protocol::frame::{Frame, MAX_FRAME, Receiver, encode};
 use calib_protocol::message::{Refusal, Request, Response, RunSpec};
 use calib_protocol::record::RunLabels;
-use calib_tests::bench::{Bench, Fault, point};
 use calib_tests::capture::{self, Packet};
+use calib_tests::rigged::{Fault, Rigged, point};
 use calib_twin::board::usb::{Setup, UsbError};
 use calib_twin::rig::Rig;
 use calib_twin::rig_port::ShortedInputs;
@@ -54,9 +54,9 @@ fn expect_answer(board: &SharedEmulator, client: &mut Client) -> Result<(), Faul
 
 #[test]
 fn a_record_comes_over_usb_as_over_the_serial_line() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
-    bench.board().usb().start_capture();
-    let usb = EmulatedUsbTransport::plug_in(bench.shared())?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
+    rigged.board().usb().start_capture();
+    let usb = EmulatedUsbTransport::plug_in(rigged.shared())?;
     let names = usb.device().names.clone();
     let mut client = Client::new(Box::new(usb)).counting_from(FIRST_REQUEST);
     let serial = client.info()?.serial.to_string();
@@ -70,7 +70,7 @@ fn a_record_comes_over_usb_as_over_the_serial_line() -> Result<(), Fault> {
     let (over_usb, over_serial) = (folder.path().join("usb"), folder.path().join("serial"));
     let over_usb = session::download(&mut client, outcome.record_id, &over_usb, |_| ())?;
     let over_serial =
-        session::download(&mut bench.client, outcome.record_id, &over_serial, |_| ())?;
+        session::download(&mut rigged.client, outcome.record_id, &over_serial, |_| ())?;
     let record = std::fs::read(over_usb.path)?;
     assert_eq!(record, std::fs::read(over_serial.path)?);
     assert_eq!(client.repetitions(), 0, "nothing had to be asked twice");
@@ -80,7 +80,7 @@ fn a_record_comes_over_usb_as_over_the_serial_line() -> Result<(), Fault> {
         client.read_record(outcome.record_id, offset as u32)?;
     }
     let file = folder.path().join("usb.pcap");
-    let transfers = bench.board().usb().transferred();
+    let transfers = rigged.board().usb().transferred();
     usb_host::capture::write(&transfers, &mut std::fs::File::create(&file)?)?;
     let packets = capture::read(&std::fs::read(&file)?)?;
     check_enumeration(&packets);
@@ -89,7 +89,7 @@ fn a_record_comes_over_usb_as_over_the_serial_line() -> Result<(), Fault> {
     assert_eq!(held[..record.len()], record, "the capture holds the record");
     check_packets(&packets, &answers);
     ask_tshark(&file, packets.len(), &serial)?;
-    let unused = bench.unused_stack_bytes()?;
+    let unused = rigged.unused_stack_bytes()?;
     assert!(unused >= 8 << 10, "less than 8 KiB are left");
     Ok(())
 }
@@ -246,13 +246,13 @@ fn use_once(board: &SharedEmulator) -> Result<(), Fault> {
 fn a_cable_pulled_after_any_packet_harms_nothing() -> Result<(), Fault> {
     // A control transfer takes three to five transactions: none is left out.
     const STRIDE: usize = 3;
-    let mut bench = Bench::with_port(Box::new(ShortedInputs))?;
-    let board = bench.shared();
+    let mut rigged = Rigged::with_port(Box::new(ShortedInputs))?;
+    let board = rigged.shared();
     for transactions in (0..).step_by(STRIDE) {
-        bench.board().usb().pull_after(transactions);
+        rigged.board().usb().pull_after(transactions);
         let used = use_once(&board);
-        expect_answer(&board, &mut bench.client)?;
-        if bench.board().usb().is_plugged() {
+        expect_answer(&board, &mut rigged.client)?;
+        if rigged.board().usb().is_plugged() {
             // Eleven control transfers of two transactions at least, 22 packets of answer.
             assert!(transactions > 40, "{transactions}: {used:?}");
             return used;
@@ -264,11 +264,11 @@ fn a_cable_pulled_after_any_packet_harms_nothing() -> Result<(), Fault> {
 
 #[test]
 fn a_usb_host_may_do_what_it_likes() -> Result<(), Fault> {
-    let mut bench = Bench::with_port(Box::new(ShortedInputs))?;
-    let board = bench.shared();
-    let port = bench.board().usb().clone();
+    let mut rigged = Rigged::with_port(Box::new(ShortedInputs))?;
+    let board = rigged.shared();
+    let port = rigged.board().usb().clone();
     let mut client = plug_in(&board)?;
-    let settings = bench.client.settings()?;
+    let settings = rigged.client.settings()?;
 
     // It asks for what there is not.
     let host = UsbHost::new(board.clone());
@@ -298,7 +298,7 @@ fn a_usb_host_may_do_what_it_likes() -> Result<(), Fault> {
     host.wait(Duration::from_millis(1))?;
     port.suspend(true);
     host.wait(Duration::from_millis(500))?;
-    expect_answer(&board, &mut bench.client)?;
+    expect_answer(&board, &mut rigged.client)?;
     port.suspend(false);
     host.wait(Duration::from_millis(20))?;
     expect_settings(&port.receive());
@@ -308,7 +308,7 @@ fn a_usb_host_may_do_what_it_likes() -> Result<(), Fault> {
     port.send(&frame(2, &Request::SettingsRead));
     host.wait(Duration::from_millis(1))?;
     let device = host.enumerate()?;
-    expect_answer(&board, &mut bench.client)?;
+    expect_answer(&board, &mut rigged.client)?;
     host.open_serial(&device, 9600)?;
     expect_answer(&board, &mut client)?;
 
@@ -318,7 +318,7 @@ fn a_usb_host_may_do_what_it_likes() -> Result<(), Fault> {
         port.send(&frame(sequence, &Request::SettingsRead));
         host.wait(Duration::from_millis(60))?;
         if sequence % 5 == 0 {
-            expect_answer(&board, &mut bench.client)?;
+            expect_answer(&board, &mut rigged.client)?;
         }
     }
     port.set_reading(true);
@@ -351,32 +351,32 @@ fn expect_settings(bytes: &[u8]) {
 
 #[test]
 fn one_of_two_hosts_holds_the_session() -> Result<(), Fault> {
-    let mut bench = Bench::with_port(Box::new(ShortedInputs))?;
-    let board = bench.shared();
+    let mut rigged = Rigged::with_port(Box::new(ShortedInputs))?;
+    let board = rigged.shared();
     let mut usb = plug_in(&board)?;
-    let mut settings = bench.client.settings()?;
+    let mut settings = rigged.client.settings()?;
     // A hand is there all the time: who may is not a matter of the button here.
-    bench.board().press_button(true)?;
-    bench.client.wait(Duration::from_millis(60))?;
+    rigged.board().press_button(true)?;
+    rigged.client.wait(Duration::from_millis(60))?;
 
     settings.blocks = 11;
     usb.write_settings(settings.clone())?;
     settings.blocks = 12;
-    expect_other_host(bench.client.write_settings(settings.clone()));
-    expect_other_host(bench.client.reset());
-    expect_other_host(bench.client.start(RunSpec {
+    expect_other_host(rigged.client.write_settings(settings.clone()));
+    expect_other_host(rigged.client.reset());
+    expect_other_host(rigged.client.start(RunSpec {
         points: [point(160.0, 10.0)].into_iter().collect(),
         excitation: ExcitationKind::SingleSine,
         labels: RunLabels::default(),
     }));
     // The other host may read, and stop what moves.
-    bench.client.stop()?;
-    assert_eq!(bench.client.settings()?.blocks, 11);
+    rigged.client.stop()?;
+    assert_eq!(rigged.client.settings()?.blocks, 11);
 
     // Who pulls the cable gives the session away.
-    bench.board().usb().plug(false);
-    bench.client.wait(Duration::from_millis(10))?;
-    bench.client.write_settings(settings.clone())?;
+    rigged.board().usb().plug(false);
+    rigged.client.wait(Duration::from_millis(10))?;
+    rigged.client.write_settings(settings.clone())?;
     let mut usb = plug_in(&board)?;
     expect_other_host(usb.write_settings(settings.clone()));
 
@@ -384,7 +384,7 @@ fn one_of_two_hosts_holds_the_session() -> Result<(), Fault> {
     usb.wait(Duration::from_secs(5))?;
     settings.blocks = 13;
     usb.write_settings(settings)?;
-    assert_eq!(bench.client.settings()?.blocks, 13);
+    assert_eq!(rigged.client.settings()?.blocks, 13);
     Ok(())
 }
 

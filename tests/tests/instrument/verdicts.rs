@@ -4,21 +4,21 @@ use calib_core::point::PointSpec;
 use calib_core::point_state::{PointState, Reason};
 use calib_protocol::message::RunState;
 use calib_protocol::record::{RecordKind, RecordSummary};
-use calib_tests::bench::{Bench, Fault, point};
+use calib_tests::rigged::{Fault, Rigged, point};
 use calib_twin::rig::Rig;
 use std::time::Duration;
 
 /// Runs one point on `rig`, and expects its verdict and silence.
 fn expect(rig: &Rig, spec: PointSpec, reason: Reason) -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(rig)?;
-    let outcome = bench.run(&[spec])?;
+    let mut rigged = Rigged::with_rig(rig)?;
+    let outcome = rigged.run(&[spec])?;
     assert_ne!(outcome.state, RunState::Failed);
     let result = outcome.points.first().ok_or("no result")?;
     assert_eq!(result.state, PointState::Refused(reason));
-    bench.expect_silence(Duration::from_millis(200))?;
-    assert_eq!(bench.client.status()?.overruns, 0);
+    rigged.expect_silence(Duration::from_millis(200))?;
+    assert_eq!(rigged.client.status()?.overruns, 0);
     // The refusal is stored like any other result.
-    let records = bench.client.records()?;
+    let records = rigged.client.records()?;
     assert_eq!(records.last().map(|record| record.refused), Some(1));
     Ok(())
 }
@@ -55,11 +55,11 @@ fn a_level_beyond_the_amplifier_is_refused() -> Result<(), Fault> {
 
 #[test]
 fn a_level_beyond_the_stroke_is_refused_before_the_table_moves() -> Result<(), Fault> {
-    let mut bench = Bench::with_rig(&Rig::standard())?;
+    let mut rigged = Rigged::with_rig(&Rig::standard())?;
     // 60 m/s2 r.m.s. at 20 Hz are 5.4 mm peak, above the limit of 5 mm, and
     // 0.68 m/s peak, below the limit of 1 m/s. The points before it do not move the table either.
     let list = [point(160.0, 10.0), point(80.0, 10.0), point(20.0, 60.0)];
-    let refused = bench
+    let refused = rigged
         .run(&list)
         .map(drop)
         .expect_err("before anything moves");
@@ -68,11 +68,11 @@ fn a_level_beyond_the_stroke_is_refused_before_the_table_moves() -> Result<(), F
         said.contains("point 3 of the list: the level exceeds the displacement limit"),
         "{said}"
     );
-    bench.expect_silence(Duration::from_millis(500))?;
-    assert!(!bench.client.status()?.state.is_running());
+    rigged.expect_silence(Duration::from_millis(500))?;
+    assert!(!rigged.client.status()?.state.is_running());
     let calibrations = |record: &RecordSummary| record.kind == RecordKind::Calibration;
     assert!(
-        !bench.client.records()?.iter().any(calibrations),
+        !rigged.client.records()?.iter().any(calibrations),
         "no run began"
     );
     Ok(())

@@ -1,8 +1,8 @@
 //! The page for everybody: by thumb, by keyboard, by ear, in German.
 
 use super::{SERIAL, Setup};
-use calib_tests::bench::Fault;
 use calib_tests::browser::{Browser, axe};
+use calib_tests::rigged::Fault;
 use serde_json::json;
 
 /// No rule of axe-core is broken, by day and by night.

@@ -5,9 +5,9 @@ mod everybody;
 mod sensors;
 
 use calib_signing::Kind;
-use calib_tests::bench::Fault;
 use calib_tests::browser::{Browser, Tab, driver};
 use calib_tests::live::Live;
+use calib_tests::rigged::Fault;
 use calib_tests::served::Served;
 use calib_twin::rig::Rig;
 use std::path::{Path, PathBuf};

@@ -1,8 +1,8 @@
 //! A sensor is registered on the page, measured, adjusted and measured again.
 
 use super::{LEFT_OUT, Setup, everybody};
-use calib_tests::bench::Fault;
 use calib_tests::browser::Browser;
+use calib_tests::rigged::Fault;
 use calib_tests::served::tool;
 use std::process::Command;
 

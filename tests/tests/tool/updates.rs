@@ -2,7 +2,7 @@
 
 use super::{folder, json, output};
 use calib_host::emulated::EmulatedUsbTransport;
-use calib_tests::bench::Fault;
+use calib_tests::rigged::Fault;
 use calib_tests::two_slots::{TwoSlots, VERSION};
 use calib_twin::rig_port::ShortedInputs;
 use calib_twin::runner::{Door, HostLine, TcpDoor};
@@ -16,7 +16,7 @@ use std::time::Duration;
 /// Board time between two looks at the line.
 const STEP: Duration = Duration::from_millis(1);
 
-/// A board as it leaves the bench, behind a TCP port. Its time passes as fast as this computer lets it, so that an
+/// A board as it leaves the workshop, behind a TCP port. Its time passes as fast as this computer lets it, so that an
 /// update over 115 200 baud, 40 s, takes a few; switched off when it is dropped.
 struct Commissioned {
     address: String,

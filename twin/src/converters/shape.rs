@@ -29,9 +29,9 @@ pub enum Shape {
     /// A bow, and the step of the sheet where the largest bit turns; smaller ones where smaller bits turn.
     #[default]
     Bits,
-    /// The same, all of it twice as large.
+    /// [`Shape::Bits`], all of it twice as large.
     BitsDoubled,
-    /// The same, half as large.
+    /// [`Shape::Bits`], half as large.
     BitsHalved,
     /// A step of the sheet at each sixteenth of the range, mid-scale in the middle between two.
     Sixteenths,

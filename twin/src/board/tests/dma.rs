@@ -23,12 +23,12 @@ const NOW: VirtualNanos = VirtualNanos(0);
 const STEPS: usize = 4000;
 
 /// One of the two controllers on a bus of its own.
-struct Bench<D> {
+struct Rigged<D> {
     single: Single<D>,
     ram: Ram,
 }
 
-impl<D: Device<Register = Register> + 'static> Bench<D> {
+impl<D: Device<Register = Register> + 'static> Rigged<D> {
     fn new(model: D) -> Self {
         let builder = memory_map::builder();
         let bytes = (0..4096)
@@ -98,8 +98,8 @@ fn drawn(stream: usize, draw: &mut impl FnMut(u64) -> u64) -> (Register, u64) {
 #[test]
 fn both_controllers_move_the_same() {
     let lines = RequestLines::new();
-    let mut ours = Bench::new(Dma1::new(lines.clone(), FlashWatch::default()));
-    let mut theirs = Bench::new(Dma::new(DMA1_FIRST_CHANNEL));
+    let mut ours = Rigged::new(Dma1::new(lines.clone(), FlashWatch::default()));
+    let mut theirs = Rigged::new(Dma::new(DMA1_FIRST_CHANNEL));
     let mut state = 1_u64;
     let mut draw = |below: u64| {
         // Numerical Recipes' linear congruence, upper bits.

@@ -79,8 +79,8 @@ impl Memory for Ram {
     }
 }
 
-/// A part on the bench, with every clock this board's drivers enable.
-struct Bench {
+/// A part alone, with every clock this board's drivers enable.
+struct Rigged {
     part: Part,
     ram: Ram,
     now: u64,
@@ -89,7 +89,7 @@ struct Bench {
     restarts: Vec<ResetCause>,
 }
 
-impl Bench {
+impl Rigged {
     fn new() -> Self {
         Self::on(Schematic::nucleo_h743zi2())
     }
@@ -99,7 +99,7 @@ impl Bench {
         let pins = Pins::new(Arc::new(schematic), Box::new(Recorder(told.clone())));
         let analog = pins.analog.clone();
         let part = Part::new(pins).unwrap();
-        let mut bench = Self {
+        let mut rigged = Self {
             part,
             ram: Ram(vec![0; 4096]),
             now: 0,
@@ -107,8 +107,8 @@ impl Bench {
             analog,
             restarts: Vec::new(),
         };
-        bench.enable_clocks();
-        bench
+        rigged.enable_clocks();
+        rigged
     }
 
     /// DMA1, ADC1/2, TIM3, TIM6, DAC1 and the ports, the converters on `per_ck`, which is the 64 MHz HSI.

@@ -7,12 +7,12 @@ use rigless::time::VirtualNanos;
 
 use super::super::Leds;
 use super::super::schematic::Active;
-use super::{Bench, Schematic};
+use super::{Rigged, Schematic};
 
 /// Ports of an output each, by number.
-fn drive(bench: &mut Bench, port: &Peripheral, pins: u64) {
+fn drive(rigged: &mut Rigged, port: &Peripheral, pins: u64) {
     let outputs = (0..16).filter(|pin| pins >> pin & 1 == 1);
-    bench.write(
+    rigged.write(
         port,
         Register::Moder,
         outputs.map(|pin| 1 << (2 * pin)).sum(),
@@ -21,28 +21,28 @@ fn drive(bench: &mut Bench, port: &Peripheral, pins: u64) {
 
 #[test]
 fn leds_follow_their_output_pins() {
-    let mut bench = Bench::new();
-    assert_eq!(bench.part.leds(), Leds::default());
-    drive(&mut bench, &GPIOB, 1 | 1 << 14);
-    drive(&mut bench, &GPIOE, 1 << 1);
-    bench.write(&GPIOB, Register::Bsrr, 1 << 14);
-    bench.write(&GPIOE, Register::Bsrr, 1 << 1);
+    let mut rigged = Rigged::new();
+    assert_eq!(rigged.part.leds(), Leds::default());
+    drive(&mut rigged, &GPIOB, 1 | 1 << 14);
+    drive(&mut rigged, &GPIOE, 1 << 1);
+    rigged.write(&GPIOB, Register::Bsrr, 1 << 14);
+    rigged.write(&GPIOE, Register::Bsrr, 1 << 1);
     let expected = Leds {
         green: false,
         yellow: true,
         red: true,
     };
-    assert_eq!(bench.part.leds(), expected);
+    assert_eq!(rigged.part.leds(), expected);
 }
 
 #[test]
 fn the_button_is_high_while_pressed() {
     const BUTTON: u64 = 1 << 13;
-    let mut bench = Bench::new();
-    bench.write(&GPIOC, Register::Moder, 0);
+    let mut rigged = Rigged::new();
+    rigged.write(&GPIOC, Register::Moder, 0);
     for pressed in [true, false, true] {
-        bench.part.press_button(VirtualNanos(bench.now), pressed);
-        let input = bench.read(&GPIOC, Register::Idr);
+        rigged.part.press_button(VirtualNanos(rigged.now), pressed);
+        let input = rigged.read(&GPIOC, Register::Idr);
         assert_eq!(input & BUTTON != 0, pressed);
     }
 }
@@ -55,23 +55,23 @@ fn lamps_and_button_to_the_other_rail_are_the_other_way_round() {
         pressed: Active::Low,
         ..Schematic::nucleo_h743zi2()
     };
-    let mut bench = Bench::on(schematic);
+    let mut rigged = Rigged::on(schematic);
     assert_eq!(
-        bench.part.leds(),
+        rigged.part.leds(),
         Leds::default(),
         "an input lights nothing"
     );
-    drive(&mut bench, &GPIOB, 1 | 1 << 14);
-    bench.write(&GPIOB, Register::Bsrr, 1 << 14);
+    drive(&mut rigged, &GPIOB, 1 | 1 << 14);
+    rigged.write(&GPIOB, Register::Bsrr, 1 << 14);
     let expected = Leds {
         green: true,
         ..Leds::default()
     };
-    assert_eq!(bench.part.leds(), expected);
-    bench.write(&GPIOC, Register::Moder, 0);
+    assert_eq!(rigged.part.leds(), expected);
+    rigged.write(&GPIOC, Register::Moder, 0);
     for pressed in [true, false] {
-        bench.part.press_button(VirtualNanos(bench.now), pressed);
-        let input = bench.read(&GPIOC, Register::Idr);
+        rigged.part.press_button(VirtualNanos(rigged.now), pressed);
+        let input = rigged.read(&GPIOC, Register::Idr);
         assert_eq!(input & BUTTON == 0, pressed);
     }
 }

@@ -12,7 +12,7 @@ use rigless::soc::stm32h743::generated::{
 use rigless::soc::{Layout, Peripheral};
 use rigless::time::VirtualNanos;
 
-use super::{Bench, RAM, converters};
+use super::{RAM, Rigged, converters};
 
 /// Where the drive's ring is, and how long each ring is, in items.
 const DRIVE_AT: usize = 2048;
@@ -21,32 +21,32 @@ const LINES: [u16; 2] = [11, 12];
 const TICK_NS: u64 = 20_000;
 
 /// Rings of drive and pairs under way: a length in items for each.
-fn playing(drive: u64, pairs: u64) -> Bench {
-    let mut bench = Bench::new();
-    converters::enable(&mut bench);
+fn playing(drive: u64, pairs: u64) -> Rigged {
+    let mut rigged = Rigged::new();
+    converters::enable(&mut rigged);
     for place in 0..drive as usize {
         let code = (2048 + 7 * place as u16).to_le_bytes();
-        bench.ram.0[DRIVE_AT + 2 * place..][..2].copy_from_slice(&code);
+        rigged.ram.0[DRIVE_AT + 2 * place..][..2].copy_from_slice(&code);
     }
-    bench.write(&DMAMUX1, dmamux1::Register::DmamuxC0cr, 9);
-    bench.write(&DMAMUX1, dmamux1::Register::DmamuxC1cr, 67);
-    bench.write(&DMA1, Dma::S0par, ADC12_COMMON.base + 0xC);
-    bench.write(&DMA1, Dma::S0m0ar, RAM);
-    bench.write(&DMA1, Dma::S0ndtr, pairs);
-    bench.write(&DMA1, Dma::S1par, DAC.base + 8);
-    bench.write(&DMA1, Dma::S1m0ar, RAM + DRIVE_AT as u64);
-    bench.write(&DMA1, Dma::S1ndtr, drive);
+    rigged.write(&DMAMUX1, dmamux1::Register::DmamuxC0cr, 9);
+    rigged.write(&DMAMUX1, dmamux1::Register::DmamuxC1cr, 67);
+    rigged.write(&DMA1, Dma::S0par, ADC12_COMMON.base + 0xC);
+    rigged.write(&DMA1, Dma::S0m0ar, RAM);
+    rigged.write(&DMA1, Dma::S0ndtr, pairs);
+    rigged.write(&DMA1, Dma::S1par, DAC.base + 8);
+    rigged.write(&DMA1, Dma::S1m0ar, RAM + DRIVE_AT as u64);
+    rigged.write(&DMA1, Dma::S1ndtr, drive);
     // Circular, memory increment, half and full interrupts, enabled; words in, halfwords out.
     let both = 1 << 8 | 1 << 10 | 0b11 << 3 | 1;
-    bench.write(&DMA1, Dma::S0cr, both | 0b10 << 11 | 0b10 << 13);
-    bench.write(&DMA1, Dma::S1cr, both | 0b01 << 6 | 0b01 << 11 | 0b01 << 13);
-    bench.write(&DAC, Dac::Dhr12r1, 2048);
-    bench.write(&DAC, Dac::Cr, 1 | 1 << 1 | 5 << 2 | 1 << 12);
-    converters::start(&mut bench);
-    bench
+    rigged.write(&DMA1, Dma::S0cr, both | 0b10 << 11 | 0b10 << 13);
+    rigged.write(&DMA1, Dma::S1cr, both | 0b01 << 6 | 0b01 << 11 | 0b01 << 13);
+    rigged.write(&DAC, Dac::Dhr12r1, 2048);
+    rigged.write(&DAC, Dac::Cr, 1 | 1 << 1 | 5 << 2 | 1 << 12);
+    converters::start(&mut rigged);
+    rigged
 }
 
-impl Bench {
+impl Rigged {
     /// Sleeps for `ns`, as the run lets a core that waits; answers when each of the lines changed.
     fn sleep(&mut self, ns: u64) -> Vec<(u64, u16, bool)> {
         let (until, mut changes) = (self.now + ns, Vec::new());
@@ -64,7 +64,7 @@ impl Bench {
         changes
     }
 
-    /// The same, with a stop at each event.
+    /// As `run`, with a stop at each event.
     fn wake(&mut self, ns: u64) -> Vec<(u64, u16, bool)> {
         let (until, mut changes) = (self.now + ns, Vec::new());
         while let Some(next) = self.part.next_event().filter(|next| next.0 <= until) {
@@ -93,9 +93,9 @@ impl Bench {
 
     /// Everything a core or the rig can see of the samples.
     fn seen(&mut self) -> Vec<u64> {
-        fn all<L: Layout>(bench: &mut Bench, of: &Peripheral, registers: &[L]) -> Vec<u64> {
+        fn all<L: Layout>(rigged: &mut Rigged, of: &Peripheral, registers: &[L]) -> Vec<u64> {
             let each = registers.iter();
-            each.map(|register| bench.read(of, *register)).collect()
+            each.map(|register| rigged.read(of, *register)).collect()
         }
         let dma = [
             Dma::Lisr,
@@ -144,29 +144,29 @@ fn a_stretch_of_samples_is_each_of_them() {
 /// gate, pins that change.
 #[test]
 fn a_stretch_ends_where_a_sample_does_more() {
-    type Change = fn(&mut Bench);
+    type Change = fn(&mut Rigged);
     let changes: [Change; 6] = [
-        |bench| bench.write(&ADC1, Adc::Ier, 1 << 3),
-        |bench| bench.write(&DAC, Dac::Mcr, 0b10),
-        |bench| bench.write(&DMA1, Dma::S0cr, 0),
-        |bench| bench.write(&DMA1, Dma::S1cr, 0),
-        |bench| bench.write(&ADC1, Adc::Sqr1, 3 << 6),
-        |bench| {
+        |rigged| rigged.write(&ADC1, Adc::Ier, 1 << 3),
+        |rigged| rigged.write(&DAC, Dac::Mcr, 0b10),
+        |rigged| rigged.write(&DMA1, Dma::S0cr, 0),
+        |rigged| rigged.write(&DMA1, Dma::S1cr, 0),
+        |rigged| rigged.write(&ADC1, Adc::Sqr1, 3 << 6),
+        |rigged| {
             use rigless::soc::stm32h743::generated::{RCC, rcc::Register};
-            bench.write(&RCC, Register::Ahb1enr, 1);
+            rigged.write(&RCC, Register::Ahb1enr, 1);
         },
     ];
     for (nth, change) in changes.into_iter().enumerate() {
         let mut each = playing(100, 250);
         let mut many = playing(100, 250);
-        for bench in [&mut each, &mut many] {
-            bench.wake(10 * TICK_NS);
-            change(bench);
+        for rigged in [&mut each, &mut many] {
+            rigged.wake(10 * TICK_NS);
+            change(rigged);
         }
         assert_eq!(many.sleep(90 * TICK_NS), each.wake(90 * TICK_NS), "{nth}");
-        for bench in [&mut each, &mut many] {
+        for rigged in [&mut each, &mut many] {
             use rigless::soc::stm32h743::generated::{RCC, rcc::Register};
-            bench.write(&RCC, Register::Ahb1enr, 1 | 1 << 5);
+            rigged.write(&RCC, Register::Ahb1enr, 1 | 1 << 5);
         }
         assert_eq!(many.seen(), each.seen(), "{nth}");
         assert!(many.ram.0 == each.ram.0, "{nth}: other memory");
