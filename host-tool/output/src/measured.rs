@@ -3,8 +3,7 @@
 //! Each field of [`Observed`] is a key of JSON. Each entry of [`MEASURED`] is a column of CSV and, where
 //! it has a heading, a column that the printed table of a certificate can have.
 
-use super::number::{decimal, degrees, percent};
-use super::point::finite;
+use super::number::{decimal, degrees, finite, percent};
 use calib_core::point::PointResult;
 use schemars::JsonSchema;
 use serde::Serialize;

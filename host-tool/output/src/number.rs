@@ -7,6 +7,11 @@ pub fn decimal(value: f32) -> f64 {
     value.to_string().parse().unwrap_or(f64::NAN)
 }
 
+/// The value, unless it is none.
+pub(crate) fn finite(value: f32) -> Option<f32> {
+    value.is_finite().then_some(value)
+}
+
 /// A relative value in percent: 10.71 of the f32 nearest to 0.1071, not 10.709999999999999.
 pub fn percent(relative: f32) -> f64 {
     format!("{relative}e2")

@@ -2,7 +2,7 @@
 
 use crate::code;
 use crate::measured::Observed;
-use crate::number::degrees;
+use crate::number::{degrees, finite};
 use calib_core::point::{PointResult, PointSpec};
 use calib_core::point_state::PointState;
 use schemars::JsonSchema;
@@ -138,10 +138,6 @@ impl PointView {
     pub fn is_valid(&self) -> bool {
         self.state == StateView::Valid
     }
-}
-
-pub(crate) fn finite(value: f32) -> Option<f32> {
-    value.is_finite().then_some(value)
 }
 
 /// The frequency that was played, Hz; none when there was no tone.
