@@ -53,14 +53,14 @@ pub(crate) struct Device {
     pub(crate) other_capture_at_look: Option<u16>,
     /// Captures do not grow.
     pub(crate) clock_stands: bool,
+    /// Looks before a capture is whole.
+    pub(crate) looks_per_capture: u16,
     /// The key that signs its records, as it says.
     pub(crate) key: Option<DeviceKey>,
     /// The lists it keeps, with a hand always on its button.
     pub(crate) lists: StoredLists,
 }
 
-/// Looks before a capture is whole.
-const LOOKS_PER_CAPTURE: u16 = 3;
 /// Running number of the first pair of any capture.
 pub(crate) const FIRST_PAIR: u64 = 7_000_000_000;
 
@@ -96,6 +96,7 @@ impl Device {
             capture: None,
             other_capture_at_look: None,
             clock_stands: false,
+            looks_per_capture: 3,
             key: None,
             lists: StoredLists::NONE,
         }
@@ -329,7 +330,7 @@ impl Device {
         };
         *looks += u16::from(!self.clock_stands);
         let other = self.other_capture_at_look.is_some_and(|at| at <= *looks);
-        let whole = *looks >= LOOKS_PER_CAPTURE;
+        let whole = *looks >= self.looks_per_capture;
         let wanted = (offset..*total).take(if whole { CAPTURE_CHUNK_PAIRS } else { 0 });
         let data = wanted.flat_map(|index| codes(index).map(u16::to_le_bytes));
         Response::CaptureData(CapturePart {

@@ -440,6 +440,30 @@ fn a_list_that_cannot_be_measured_names_its_points_and_moves_nothing() {
     assert_eq!(starts, 0);
 }
 
+/// The point is over in three looks, in which half of the samples come. Before, they were thrown away then, and the
+/// page had no waveforms.
+#[test]
+fn a_run_that_ends_before_its_samples_are_here_has_waveforms() {
+    let folder = tempfile::tempdir().expect("folder");
+    let mut device = Device::new();
+    device.looks_per_capture = 1;
+    let (_, address) = serve_device(device);
+    let server = Server::start(folder.path(), LOOPBACK, &["--device", &address]);
+    server.connected();
+    let run = json!({ "frequencies_hz": [160] });
+    assert_eq!(server.post("/api/run", &run), 202);
+    let view = server.until("ended", has_ended);
+    assert_eq!(view["waveforms"], 1);
+    let drawn: Value = serde_json::from_str(&server.get("/api/waveforms").1).expect("JSON");
+    assert_eq!(drawn["frequency_hz"], 160.0);
+    assert!(
+        drawn["spectrum"]
+            .as_array()
+            .is_some_and(|lines| lines.len() > 100),
+        "{drawn}"
+    );
+}
+
 /// Before: the page sent frequencies again at the level of its form, and showed and certified those alone.
 #[test]
 fn a_retry_measures_what_has_no_result_and_both_runs_are_one_calibration() {
