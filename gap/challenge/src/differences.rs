@@ -29,23 +29,7 @@ fn of_row(from: &Point, of: &Point) -> Table<Option<f64>> {
     let in_deg = |u: Option<f64>| u.map(f64::to_degrees);
     let (u_drive_deg, u_current_deg) = (in_deg(from.u_drive), in_deg(from.u_current));
     let scatter = Some(NOISE_SCATTER);
-    let harmonic = |channel: Channel, observable: Observable| {
-        let all = |p: &Point| match channel {
-            Channel::Reference => p.ref_harmonics,
-            Channel::Dut => p.dut_harmonics,
-        };
-        let pairs = Observable::harmonics(channel).into_iter().zip(all(from)?);
-        let mut pairs = pairs.zip(all(of)?);
-        pairs.find_map(|((observables, a), b)| {
-            let part = observables.iter().position(|one| *one == observable)?;
-            absolute(
-                Some(parts(&a)[part]),
-                Some(parts(&b)[part]),
-                from.u_harmonic,
-            )
-        })
-    };
-    Table::from_fn(|observable| match observable {
+    let mut values = Table::from_fn(|observable| match observable {
         Observable::Ratio => relative(ratio(from), ratio(of), from.u_ratio),
         Observable::RatioPhase => angle(from.dut_deg, of.dut_deg, from.u_phase_deg),
         Observable::Drive => relative(drive(from), drive(of), from.u_drive),
@@ -56,11 +40,22 @@ fn of_row(from: &Point, of: &Point) -> Table<Option<f64>> {
         Observable::DutDc => absolute(from.dut_dc_v, of.dut_dc_v, from.u_dc_v),
         Observable::RefNoise => relative(from.ref_noise_v, of.ref_noise_v, scatter),
         Observable::DutNoise => relative(from.dut_noise_v, of.dut_noise_v, scatter),
-        of_harmonics => {
-            let mut channels = Channel::BOTH.into_iter();
-            channels.find_map(|channel| harmonic(channel, of_harmonics))
+        _ => None,
+    });
+    let channels = [
+        (Channel::Reference, from.ref_harmonics, of.ref_harmonics),
+        (Channel::Dut, from.dut_harmonics, of.dut_harmonics),
+    ];
+    for (channel, from_all, of_all) in channels {
+        let pairs = from_all.iter().flatten().zip(of_all.iter().flatten());
+        for (observables, (a, b)) in Observable::harmonics(channel).into_iter().zip(pairs) {
+            let both = parts(a).into_iter().zip(parts(b));
+            for (observable, (a, b)) in observables.into_iter().zip(both) {
+                values[observable] = absolute(Some(a), Some(b), from.u_harmonic);
+            }
         }
-    })
+    }
+    values
 }
 
 /// Real and imaginary part.

@@ -7,7 +7,7 @@ pub fn decimal(value: f32) -> f64 {
     value.to_string().parse().unwrap_or(f64::NAN)
 }
 
-/// The value, unless it is none.
+/// The value, unless it is infinite or NaN.
 pub(crate) fn finite(value: f32) -> Option<f32> {
     value.is_finite().then_some(value)
 }
