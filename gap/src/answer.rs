@@ -101,18 +101,10 @@ pub struct Remainder {
 /// Gap between records of the simulator and the measurement.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct Distance {
-    /// Root mean square error of the simulator without the effect; percent here, a fraction in JSON.
-    #[serde(
-        rename = "before_rel",
-        serialize_with = "crate::estimation::gap::as_rel"
-    )]
-    pub before_percent: f64,
-    /// Root mean square error of the simulator with the effect added; percent here, a fraction in JSON.
-    #[serde(
-        rename = "after_rel",
-        serialize_with = "crate::estimation::gap::as_rel"
-    )]
-    pub after_percent: f64,
+    /// Root mean square error of the simulator without the effect.
+    pub before_rel: f64,
+    /// Root mean square error of the simulator with the effect added.
+    pub after_rel: f64,
     /// Rows compared.
     pub rows: usize,
 }

@@ -32,7 +32,7 @@ pub use calibrator::misfit;
 pub use diagnose::{diagnose, diagnose_all};
 pub use effects::check_name;
 pub use error::GapError;
-pub use estimation::gap::{Gap, ObservableGap, Slice};
+pub use estimation::gap::{Gap, GapSize, Slice};
 pub use observable::{Channel, Group, Observable, Table};
 pub use options::Options;
 pub use pictures::{Conditions, Datum, Pictures, Residuals, Trace};

@@ -36,7 +36,7 @@ fn probability(p_value: f64, gap: &Gap, outside: &Outside) -> f64 {
     let left = p_value < thresholds::UNEXPLAINED_P_VALUE;
     let decades =
         -p_value.max(thresholds::LEAST_P_VALUE).log10() + thresholds::UNEXPLAINED_P_VALUE.log10();
-    let open = 1.0 - gap.closed.unwrap_or(0.0).clamp(0.0, 1.0);
+    let open = 1.0 - gap.size.closed.unwrap_or(0.0).clamp(0.0, 1.0);
     let log_odds = if left {
         outside.left
             + outside.by_decade * decades

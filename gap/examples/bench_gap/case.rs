@@ -114,9 +114,9 @@ impl fmt::Display for Outcome {
             self.left_sigma,
             self.place().is_some_and(|p| p.0 == 0),
             self.stage_found(),
-            a.gap.chi_before,
-            a.gap.chi_after,
-            a.gap.closed.unwrap_or(f64::NAN),
+            a.gap.size.chi_before,
+            a.gap.size.chi_after,
+            a.gap.size.closed.unwrap_or(f64::NAN),
             self.time_s,
             causes.join(" "),
             stages.join(",")

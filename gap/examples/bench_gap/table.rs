@@ -351,7 +351,10 @@ pub(super) fn summarise(stratum: &str, all: &[Outcome]) -> String {
             100.0 * hits as f64 / of.max(1) as f64
         );
     }
-    let mut closed: Vec<f64> = all.iter().filter_map(|o| o.answer.gap.closed).collect();
+    let mut closed: Vec<f64> = all
+        .iter()
+        .filter_map(|o| o.answer.gap.size.closed)
+        .collect();
     if all.iter().any(|o| !o.truth.is_empty()) && !stratum.ends_with("withheld") {
         let _ = writeln!(text, "  closed, median {:.4}", quantile(&mut closed, 0.5));
         let _ = writeln!(
@@ -422,7 +425,7 @@ pub(super) fn json(seed: u64, points: &[Stratum<'_>], records: &[Stratum<'_>]) -
             let mut times: Vec<f64> = outcomes.iter().map(|o| o.time_s).collect();
             let mut closed: Vec<f64> = outcomes
                 .iter()
-                .filter_map(|o| o.answer.gap.closed)
+                .filter_map(|o| o.answer.gap.size.closed)
                 .collect();
             let curve: Vec<_> = if *stratum == "size" {
                 curve(outcomes)

@@ -3,7 +3,7 @@
 use super::fit::Fit;
 use super::problem::Problem;
 use crate::dataset::Rig;
-use crate::estimation::gap::{Gap, ObservableGap, closed_share};
+use crate::estimation::gap::{Gap, GapSize, closed_share};
 use crate::observable::{Group, Observable};
 use crate::thresholds;
 use std::collections::BTreeMap;
@@ -50,21 +50,15 @@ pub(crate) fn score_on(training: &Problem, testing: &Problem, nominal: &Fit, cho
         pool(&mut pooled, compared, counts);
         by_observable.insert(group.name(), gap);
     }
-    let [before_percent, after_percent, floor_percent] = pooled.percent();
-    let [chi_before, chi_after] = pooled.chi();
+    let closed = if weights > 0.0 {
+        Some(closed / weights)
+    } else {
+        // No observable stands out of its noise by itself: what all of them together show.
+        let is_gap = pooled.before.square > pooled.before.floor;
+        (!chosen.effects.is_empty() && is_gap).then(|| pooled.share())
+    };
     Gap {
-        before_percent,
-        after_percent,
-        floor_percent,
-        closed: if weights > 0.0 {
-            Some(closed / weights)
-        } else {
-            // No observable stands out of its noise by itself: what all of them together show.
-            let is_gap = pooled.before.square > pooled.before.floor;
-            (!chosen.effects.is_empty() && is_gap).then(|| pooled.share())
-        },
-        chi_before,
-        chi_after,
+        size: pooled.size(closed),
         held_out_rows: testing.rows.len(),
         chosen: chosen.names(),
         rms_before: None,
@@ -167,11 +161,11 @@ impl Compared {
         })
     }
 
-    /// Root mean square relative errors before and after, and what noise alone leaves, in percent.
-    pub(super) fn percent(&self) -> [f64; 3] {
+    /// Root mean square relative errors before and after, and what noise alone leaves.
+    pub(super) fn errors_rel(&self) -> [f64; 3] {
         let rows = self.before.rows.max(1.0);
         let sums = [self.before.square, self.after.square, self.before.floor];
-        sums.map(|sum| 100.0 * (sum / rows).sqrt())
+        sums.map(|sum| (sum / rows).sqrt())
     }
 
     /// Root mean square of error over standard uncertainty, before and after.
@@ -182,7 +176,7 @@ impl Compared {
 
     /// Share of the gap that is closed.
     pub(super) fn share(&self) -> f64 {
-        let [before, after, floor] = self.percent();
+        let [before, after, floor] = self.errors_rel();
         closed_share(before, after, floor)
     }
 
@@ -192,16 +186,22 @@ impl Compared {
     }
 
     /// The gap of a group; a share of it only where it stands out of the noise.
-    pub(super) fn gap(&self) -> ObservableGap {
-        let [before_percent, after_percent, floor_percent] = self.percent();
-        let [chi_before, chi_after] = self.chi();
+    pub(super) fn gap(&self) -> GapSize {
+        let [before, _, floor] = self.errors_rel();
         let is_gap = self.excess() > thresholds::GAP_SHOWN_SIGMA * (2.0 * self.before.data).sqrt()
-            && before_percent > floor_percent;
-        ObservableGap {
-            before_percent,
-            after_percent,
-            floor_percent,
-            closed: is_gap.then(|| self.share()),
+            && before > floor;
+        self.size(is_gap.then(|| self.share()))
+    }
+
+    /// The size of the gap, of which a share is closed.
+    pub(super) fn size(&self, closed: Option<f64>) -> GapSize {
+        let [before_rel, after_rel, floor_rel] = self.errors_rel();
+        let [chi_before, chi_after] = self.chi();
+        GapSize {
+            before_rel,
+            after_rel,
+            floor_rel,
+            closed,
             chi_before,
             chi_after,
         }

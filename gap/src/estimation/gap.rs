@@ -1,22 +1,20 @@
 //! How large the gap is, before and after, as the answer states it.
 
 use schemars::JsonSchema;
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// Gap of one observable on the held-out rows.
-#[derive(Debug, Clone, Serialize, JsonSchema)]
-pub struct ObservableGap {
-    /// Root mean square relative error of the nominal simulation; percent here, a fraction in JSON.
-    #[serde(rename = "before_rel", serialize_with = "as_rel")]
-    pub before_percent: f64,
-    /// Root mean square relative error with the named effects added; percent here, a fraction in JSON.
-    #[serde(rename = "after_rel", serialize_with = "as_rel")]
-    pub after_percent: f64,
+/// How large a gap is, on rows that took no part in choosing or fitting.
+#[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
+pub struct GapSize {
+    /// Root mean square relative error of the nominal simulation.
+    pub before_rel: f64,
+    /// Root mean square relative error with the named effects added.
+    pub after_rel: f64,
     /// Remainder by measurement noise alone.
-    #[serde(rename = "floor_rel", serialize_with = "as_rel")]
-    pub floor_percent: f64,
-    /// Share that was closed; none where there was no gap.
+    pub floor_rel: f64,
+    /// Share that was closed; none where there was no gap. Of several observables, the mean of their shares,
+    /// weighted by the excess of their chi-square.
     pub closed: Option<f64>,
     /// Root mean square of error over standard uncertainty, before.
     pub chi_before: f64,
@@ -24,14 +22,13 @@ pub struct ObservableGap {
     pub chi_after: f64,
 }
 
-impl ObservableGap {
+impl GapSize {
     /// Of root mean square errors before and after, beside the noise and the size of what was measured.
     pub(crate) fn of_errors([before, after]: [f64; 2], noise: f64, size: f64) -> Self {
-        let percent = |error: f64| 100.0 * error / size;
         Self {
-            before_percent: percent(before),
-            after_percent: percent(after),
-            floor_percent: percent(noise),
+            before_rel: before / size,
+            after_rel: after / size,
+            floor_rel: noise / size,
             closed: (before > noise).then(|| closed_share(before, after, noise)),
             chi_before: before / noise,
             chi_after: after / noise,
@@ -42,21 +39,9 @@ impl ObservableGap {
 /// Gap over all observables on the held-out rows.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct Gap {
-    /// See [`ObservableGap`]; ratio, drive and current (or what there is) pooled.
-    #[serde(rename = "before_rel", serialize_with = "as_rel")]
-    pub before_percent: f64,
-    /// See [`ObservableGap`].
-    #[serde(rename = "after_rel", serialize_with = "as_rel")]
-    pub after_percent: f64,
-    /// See [`ObservableGap`].
-    #[serde(rename = "floor_rel", serialize_with = "as_rel")]
-    pub floor_percent: f64,
-    /// Mean of the observables' shares, weighted by the excess of their chi-square.
-    pub closed: Option<f64>,
-    /// See [`ObservableGap`].
-    pub chi_before: f64,
-    /// See [`ObservableGap`].
-    pub chi_after: f64,
+    /// Ratio, drive and current (or what there is) pooled.
+    #[serde(flatten)]
+    pub size: GapSize,
     /// Rows that took no part in choosing or fitting.
     pub held_out_rows: usize,
     /// Effects chosen on the other rows.
@@ -66,7 +51,7 @@ pub struct Gap {
     /// As above, after.
     pub rms_after: Option<f64>,
     /// By observable.
-    pub by_observable: BTreeMap<&'static str, ObservableGap>,
+    pub by_observable: BTreeMap<&'static str, GapSize>,
     /// By level, each fitted without it; empty where there is one level or none.
     ///
     /// Of points: r.m.s. acceleration, in m/s2. Of a record: largest output of a
@@ -97,21 +82,9 @@ pub struct Slice {
     pub beyond: bool,
     /// Choice of the fit without it; empty where the cause does not pay there.
     pub chosen: Vec<&'static str>,
-    /// See [`ObservableGap`]; of a band of a record relative to the whole output.
-    #[serde(rename = "before_rel", serialize_with = "as_rel")]
-    pub before_percent: f64,
-    /// See [`ObservableGap`].
-    #[serde(rename = "after_rel", serialize_with = "as_rel")]
-    pub after_percent: f64,
-    /// See [`ObservableGap`].
-    #[serde(rename = "floor_rel", serialize_with = "as_rel")]
-    pub floor_percent: f64,
-    /// See [`Gap`]; none where no observable stands out of its noise.
-    pub closed: Option<f64>,
-    /// See [`ObservableGap`].
-    pub chi_before: f64,
-    /// See [`ObservableGap`].
-    pub chi_after: f64,
+    /// Of a band of a record relative to the whole output. Closed is none where no observable stands out of its noise.
+    #[serde(flatten)]
+    pub size: GapSize,
 }
 
 impl Slice {
@@ -124,17 +97,10 @@ impl Slice {
             rows: gap.held_out_rows,
             beyond: false,
             chosen: gap.chosen.clone(),
-            before_percent: gap.before_percent,
-            after_percent: gap.after_percent,
-            floor_percent: gap.floor_percent,
-            closed: gap.closed.filter(|_| is_gap),
-            chi_before: gap.chi_before,
-            chi_after: gap.chi_after,
+            size: GapSize {
+                closed: gap.size.closed.filter(|_| is_gap),
+                ..gap.size
+            },
         }
     }
-}
-
-/// Values kept in percent are stated relative: percent is for people.
-pub(crate) fn as_rel<S: Serializer>(percent: &f64, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_f64(percent / 100.0)
 }

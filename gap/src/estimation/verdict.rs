@@ -56,7 +56,7 @@ pub(crate) fn conclude(evidence: &Evidence) -> Verdict {
 /// The verdict once rows that took no part are heard: `gap` is of the leading set, there.
 pub(crate) fn heard(verdict: Verdict, gap: &Gap, remembers: bool) -> Verdict {
     let claims = matches!(verdict, Verdict::Explained | Verdict::Ambiguous);
-    let holds = gap.chi_after <= thresholds::EXPLAINED_CHI;
+    let holds = gap.size.chi_after <= thresholds::EXPLAINED_CHI;
     match verdict {
         _ if claims && holds && !remembers => verdict,
         Verdict::Ambiguous if holds => verdict,
@@ -70,14 +70,16 @@ pub(crate) fn heard(verdict: Verdict, gap: &Gap, remembers: bool) -> Verdict {
 /// Whether a set predicts the rows clearly better, and at every level and in every band that shows
 /// the gap.
 fn explains_part(gap: &Gap) -> bool {
-    gap.closed.is_some_and(|closed| closed >= thresholds::HALF)
+    gap.size
+        .closed
+        .is_some_and(|closed| closed >= thresholds::HALF)
         && holds(&gap.by_level)
         && holds(&gap.by_band)
 }
 
 /// Whether a set closes a part of the gap in every slice that has more than a hundredth of it.
 fn holds(slices: &[Slice]) -> bool {
-    let square = |slice: &Slice| slice.before_percent.powi(2);
+    let square = |slice: &Slice| slice.size.before_rel.powi(2);
     let all: f64 = slices.iter().map(square).sum();
     let mut counts = slices
         .iter()
@@ -88,7 +90,7 @@ fn holds(slices: &[Slice]) -> bool {
         } else {
             thresholds::EVERYWHERE
         };
-        slice.closed.is_none_or(|closed| closed >= least)
+        slice.size.closed.is_none_or(|closed| closed >= least)
     })
 }
 
@@ -128,32 +130,37 @@ pub(crate) fn stands(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::estimation::gap::GapSize;
     use std::collections::BTreeMap;
 
-    fn slice(before_percent: f64, closed: f64) -> Slice {
+    fn slice(before_rel: f64, closed: f64) -> Slice {
         Slice {
             from: 0.0,
             to: 1.0,
             rows: 10,
             beyond: false,
             chosen: Vec::new(),
-            before_percent,
-            after_percent: 0.0,
-            floor_percent: 0.0,
-            closed: Some(closed),
-            chi_before: 10.0,
-            chi_after: 1.0,
+            size: GapSize {
+                before_rel,
+                after_rel: 0.0,
+                floor_rel: 0.0,
+                closed: Some(closed),
+                chi_before: 10.0,
+                chi_after: 1.0,
+            },
         }
     }
 
     fn gap(closed: f64, by_band: Vec<Slice>) -> Gap {
         Gap {
-            before_percent: 40.0,
-            after_percent: 4.0,
-            floor_percent: 0.1,
-            closed: Some(closed),
-            chi_before: 100.0,
-            chi_after: 10.0,
+            size: GapSize {
+                before_rel: 0.4,
+                after_rel: 0.04,
+                floor_rel: 0.001,
+                closed: Some(closed),
+                chi_before: 100.0,
+                chi_after: 10.0,
+            },
             held_out_rows: 100,
             chosen: Vec::new(),
             rms_before: None,

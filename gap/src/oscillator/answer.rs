@@ -41,7 +41,7 @@ pub(super) fn answer(
     let mut causes = causes;
     let verdict = verdict(&causes, steps, &scored);
     if verdict == Verdict::NoGap {
-        scored.gap.closed = None;
+        scored.gap.size.closed = None;
     }
     let confusable = hardly_separated(&causes, verdict);
     let probability_other = share_with_others(
@@ -57,7 +57,7 @@ pub(super) fn answer(
         summary: String::new(),
         remainder: partly.then(|| Remainder {
             observable: "output",
-            rms_rel: 0.01 * scored.gap.after_percent,
+            rms_rel: scored.gap.size.after_rel,
             axis: Axis::Amplitude,
             from: 0.0,
             to: peak(&motion(&last.fit, held)),
@@ -94,6 +94,7 @@ fn verdict(causes: &[Cause], steps: &[Step], scored: &Scored) -> Verdict {
     let tied = conclude(&white) == Verdict::Ambiguous;
     let nearly_all = scored
         .gap
+        .size
         .closed
         .is_some_and(|c| c > thresholds::NEARLY_ALL);
     match conclude(&evidence) {

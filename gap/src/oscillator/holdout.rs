@@ -9,7 +9,7 @@ use super::simulate::{LINEAR_STATES, states_behind};
 use super::slices;
 use crate::dataset::{Dataset, Measured, Record};
 use crate::error::GapError;
-use crate::estimation::gap::{Gap, ObservableGap};
+use crate::estimation::gap::{Gap, GapSize};
 use crate::thresholds;
 use std::collections::BTreeMap;
 
@@ -109,7 +109,7 @@ impl Scored {
         let floor = noise_floor(held).min(unpredicted(&errors[1]));
         // The zero of the output is no motion, and nothing is relative to it.
         let moved = motion(&last.fit, held);
-        let observable = ObservableGap::of_errors([before, after], floor, rms(&moved));
+        let observable = GapSize::of_errors([before, after], floor, rms(&moved));
         let slices = slices::Errors {
             output: compared(&moved, held),
             before: &errors[0],
@@ -122,12 +122,7 @@ impl Scored {
         };
         let (by_level, by_band) = (slices.by_level(), slices.by_band());
         let gap = Gap {
-            before_percent: observable.before_percent,
-            after_percent: observable.after_percent,
-            floor_percent: observable.floor_percent,
-            closed: observable.closed,
-            chi_before: observable.chi_before,
-            chi_after: observable.chi_after,
+            size: observable,
             held_out_rows: errors[0].len(),
             chosen: names_of(&last.fit),
             rms_before: Some(before),

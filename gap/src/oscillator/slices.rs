@@ -5,7 +5,7 @@
 //! are split by frequency.
 
 use super::fit::rms;
-use crate::estimation::gap::{ObservableGap, Slice};
+use crate::estimation::gap::{GapSize, Slice};
 use rustfft::FftPlanner;
 use rustfft::num_complex::Complex;
 
@@ -117,19 +117,13 @@ impl Errors<'_> {
     fn slice(&self, (from, to): (f64, f64), beyond: bool, rows: usize, sums: Squares) -> Slice {
         let [before, after, noise, output] =
             [sums.before, sums.after, sums.noise, sums.output].map(f64::sqrt);
-        let gap = ObservableGap::of_errors([before, after], noise, output);
         Slice {
             from,
             to,
             rows,
             beyond,
             chosen: self.chosen.clone(),
-            before_percent: gap.before_percent,
-            after_percent: gap.after_percent,
-            floor_percent: gap.floor_percent,
-            closed: gap.closed,
-            chi_before: gap.chi_before,
-            chi_after: gap.chi_after,
+            size: GapSize::of_errors([before, after], noise, output),
         }
     }
 }
@@ -174,18 +168,18 @@ mod tests {
         let levels = errors.by_level();
         assert_eq!(levels.len(), 5);
         let (quiet, last) = (&levels[0], &levels[4]);
-        assert!((quiet.before_percent - 1.0).abs() < 1e-9, "{quiet:?}");
-        assert!((last.before_percent - 10.0).abs() < 1e-9, "{last:?}");
+        assert!((quiet.size.before_rel - 0.01).abs() < 1e-9, "{quiet:?}");
+        assert!((last.size.before_rel - 0.1).abs() < 1e-9, "{last:?}");
         assert!(last.beyond && !quiet.beyond);
         assert_eq!(levels.iter().map(|l| l.rows).sum::<usize>(), 8000);
         let bands = errors.by_band();
         // 1.5 Hz: whole periods in each half, but for the step between the halves.
         let there = bands.iter().find(|b| b.from < 1.5 && b.to > 1.5);
         let there = there.expect("the bands reach from 0 to half the rate");
-        let all: f64 = bands.iter().map(|b| b.before_percent.powi(2)).sum();
-        assert!(there.before_percent.powi(2) > 0.99 * all, "{bands:?}");
+        let all: f64 = bands.iter().map(|b| b.size.before_rel.powi(2)).sum();
+        assert!(there.size.before_rel.powi(2) > 0.99 * all, "{bands:?}");
         // Parseval: r.m.s. of the error over that of the output.
-        let expected = 100.0 * rms(&before) / rms(&output);
+        let expected = rms(&before) / rms(&output);
         assert!((all.sqrt() / expected - 1.0).abs() < 1e-6, "{all}");
     }
 }

@@ -44,7 +44,7 @@ pub(super) fn suspects(answer: &Answer) -> Vec<Stage> {
 /// Whether the cause holds at levels and frequencies that it was not fitted to.
 pub(super) fn elsewhere(answer: &Answer) -> Option<String> {
     let slices = answer.gap.by_level.iter().chain(&answer.gap.by_band);
-    let gaps = slices.filter_map(|slice| Some((slice, slice.closed?)));
+    let gaps = slices.filter_map(|slice| Some((slice, slice.size.closed?)));
     let worst = gaps.min_by(|a, b| a.1.total_cmp(&b.1));
     let claims = matches!(
         answer.verdict,

@@ -4,7 +4,7 @@ use super::plain::short;
 use super::report;
 use crate::answer::*;
 use crate::axis::Axis;
-use crate::estimation::gap::{Gap, ObservableGap, Slice};
+use crate::estimation::gap::{Gap, GapSize, Slice};
 use crate::observable::Observable;
 use crate::pictures::{Conditions, Datum, Pictures, Residuals, Trace};
 use calib_effects::Stage;
@@ -12,21 +12,19 @@ use calib_effects::Stage;
 const HOSTILE: &str = "a<b>&'\"</style><script>";
 
 fn gap(observable: &'static str) -> Gap {
-    let of_observable = ObservableGap {
-        before_percent: 7.91,
-        after_percent: 0.314,
-        floor_percent: 0.3,
+    let of_observable = GapSize {
+        before_rel: 0.0791,
+        after_rel: 0.003_14,
+        floor_rel: 0.003,
         closed: None,
         chi_before: 12.0,
         chi_after: 1.02,
     };
     let mut gap = Gap {
-        before_percent: 7.91,
-        after_percent: 0.314,
-        floor_percent: 0.3,
-        closed: Some(0.42),
-        chi_before: 12.0,
-        chi_after: 1.02,
+        size: GapSize {
+            closed: Some(0.42),
+            ..of_observable
+        },
         held_out_rows: 18,
         chosen: vec!["crosstalk"],
         rms_before: None,
@@ -227,8 +225,8 @@ fn several_answers_have_a_list_and_names_cannot_leave_their_place() {
 #[test]
 fn both_figures_of_a_confirmation_are_in_the_sentence_and_in_the_table() {
     let distance = Distance {
-        before_percent: 7.91,
-        after_percent: 0.314,
+        before_rel: 0.0791,
+        after_rel: 0.003_14,
         rows: 18,
     };
     let mut answer = answer(Verdict::Explained, gap("ratio"), points());

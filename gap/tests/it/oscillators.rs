@@ -71,7 +71,7 @@ fn every_effect_of_an_oscillator_is_named() {
             let right = first.first() == Some(name)
                 && stated
                 && answer.verdict != Verdict::Unexplained
-                && answer.gap.closed.is_some_and(|c| c > 0.9);
+                && answer.gap.size.closed.is_some_and(|c| c > 0.9);
             (!right).then(|| {
                 let causes: Vec<_> = answer
                     .causes
@@ -198,7 +198,7 @@ fn a_low_pass_is_found_alone_wherever_its_corner_is() {
                 && answer.verdict == Verdict::Explained
                 && (found_hz / corner_hz - 1.0).abs() < 1e-3;
             (!right).then(|| {
-                let (verdict, closed) = (answer.verdict, answer.gap.closed);
+                let (verdict, closed) = (answer.verdict, answer.gap.size.closed);
                 format!(
                     "{corner_hz} {seed}: {:?} {found_hz} {verdict:?} {closed:?}",
                     first.effects
@@ -346,7 +346,7 @@ fn another_form_is_named_by_its_family() {
                 answer.verdict,
                 Verdict::Explained | Verdict::PartlyExplained | Verdict::Ambiguous
             );
-            let (verdict, closed) = (answer.verdict, answer.gap.closed);
+            let (verdict, closed) = (answer.verdict, answer.gap.size.closed);
             (!named || !said)
                 .then(|| format!("{n} {family}: {verdict:?} {closed:?} {}", answer.summary))
         })
@@ -386,7 +386,7 @@ fn the_zero_of_a_sensor_makes_no_gap_smaller() {
         answer(&format!("far-zero-{zero}"), &text)
     };
     let (near, far) = (of(0.0), of(0.5));
-    let before = [&near, &far].map(|answer| answer.gap.before_percent);
+    let before = [&near, &far].map(|answer| answer.gap.size.before_rel);
     // The same motion and noise but for rounding of the file, six digits.
     assert!((before[0] / before[1] - 1.0).abs() < 0.01, "{before:?}");
     let levels = |answer: &Answer| answer.gap.by_level.last().map(|level| level.to);

@@ -82,8 +82,8 @@ fn the_shaker_has_a_lossy_inductance() {
         "{:?}",
         answer.confusable
     );
-    assert!(answer.gap.before_percent > 5.0, "{:?}", answer.gap);
-    assert!(answer.gap.after_percent <= 2.5, "{:?}", answer.gap);
+    assert!(answer.gap.size.before_rel > 0.05, "{:?}", answer.gap);
+    assert!(answer.gap.size.after_rel <= 0.025, "{:?}", answer.gap);
 }
 
 /// Every other point fits, the others score: what is found must hold between the points.
@@ -112,7 +112,7 @@ fn the_shaker_is_predicted_between_the_points() {
     let _ = std::fs::remove_dir_all(&root);
     assert!(coil_loses(&answer));
     assert_eq!(answer.gap.held_out_rows, 40);
-    assert!(answer.gap.after_percent <= 2.5, "{:?}", answer.gap);
+    assert!(answer.gap.size.after_rel <= 0.025, "{:?}", answer.gap);
 }
 
 /// The published fit has its resonance at 51 436.9 Hz; the bumps between 9 and
@@ -158,7 +158,7 @@ fn a_rise_at_low_frequency_is_ambiguous_without_phase() {
     let shape = answer.r#where[0].shape.as_deref();
     assert!(shape.is_some_and(|s| s.starts_with("1/f^2")), "{shape:?}");
     assert!(
-        answer.gap.closed.is_some_and(|closed| closed > 0.9),
+        answer.gap.size.closed.is_some_and(|closed| closed > 0.9),
         "{:?}",
         answer.gap
     );
@@ -182,7 +182,7 @@ fn filters_measured_with_a_scope_are_named() {
             "{set}: {}",
             answer.summary
         );
-        assert!(answer.gap.closed.is_some_and(|c| c > 0.95), "{set}");
+        assert!(answer.gap.size.closed.is_some_and(|c| c > 0.95), "{set}");
         let first = &answer.causes[0];
         assert!(first.effects.contains(&effect), "{set}: {}", answer.summary);
         let at_hz = first.parameters[effect]["corner_hz"].value;

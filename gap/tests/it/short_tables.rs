@@ -168,7 +168,7 @@ fn a_short_table_is_scored_with_what_it_names() {
             answer.summary
         );
         assert!(
-            answer.gap.closed.is_some_and(|c| c > 0.95),
+            answer.gap.size.closed.is_some_and(|c| c > 0.95),
             "seed {seed}: {}",
             answer.summary
         );

@@ -41,34 +41,12 @@ pub fn fixed(value: f64, decimals: usize) -> String {
     }
 }
 
-/// For `serialize_with`: a value that is kept in percent, stated relative.
-///
-/// # Errors
-/// Those of the writer.
-pub fn percent_as_rel<S: Serializer>(percent: &f64, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_f64(percent / 100.0)
-}
-
 /// For `serialize_with`: an angle that is kept in radians, stated in degrees.
 ///
 /// # Errors
 /// Those of the writer.
 pub fn rad_as_deg<S: Serializer>(angle_rad: &f64, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.serialize_f64(angle_rad.to_degrees())
-}
-
-/// [`percent_as_rel`] of a value that may be missing.
-///
-/// # Errors
-/// Those of the writer.
-pub fn maybe_percent_as_rel<S: Serializer>(
-    percent: &Option<f64>,
-    serializer: S,
-) -> Result<S::Ok, S::Error> {
-    match percent {
-        Some(percent) => percent_as_rel(percent, serializer),
-        None => serializer.serialize_none(),
-    }
 }
 
 /// [`rad_as_deg`] of an angle that may be missing.

@@ -36,8 +36,8 @@ pub(super) fn by_observable(rows: &[Compared<'_>]) -> BTreeMap<&'static str, Dis
             all.insert(
                 name,
                 Distance {
-                    before_percent: percent(&b),
-                    after_percent: percent(&a),
+                    before_rel: rms(&b),
+                    after_rel: rms(&a),
                     rows: b.len(),
                 },
             );
@@ -59,14 +59,14 @@ pub(super) fn overall(by_observable: &BTreeMap<&'static str, Distance>) -> Optio
     };
     let most = both.iter().map(|d| d.rows).max()?;
     Some(Distance {
-        before_percent: pooled(|d| d.before_percent),
-        after_percent: pooled(|d| d.after_percent),
+        before_rel: pooled(|d| d.before_rel),
+        after_rel: pooled(|d| d.after_rel),
         rows: most,
     })
 }
 
-fn percent(errors: &[f64]) -> f64 {
-    100.0 * (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt()
+fn rms(errors: &[f64]) -> f64 {
+    (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt()
 }
 
 /// Length of the relative error of the complex ratio, a constant gain apart.

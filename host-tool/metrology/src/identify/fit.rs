@@ -186,7 +186,7 @@ fn deviation(points: &Points, oscillator: &Oscillator) -> Deviation {
     let (mut magnitude, mut phase) = (Vec::new(), Vec::new());
     for point in &points.points {
         let (magnitude_rel, phase_rad) = distance(point, oscillator);
-        magnitude.push(100.0 * magnitude_rel);
+        magnitude.push(magnitude_rel);
         phase.push(phase_rad.to_degrees());
     }
     let rms = |values: &[f64]| {
@@ -198,8 +198,8 @@ fn deviation(points: &Points, oscillator: &Oscillator) -> Deviation {
             .fold(0.0_f64, |most, value| most.max(value.abs()))
     };
     Deviation {
-        magnitude_rms_percent: rms(&magnitude),
-        magnitude_max_percent: largest(&magnitude),
+        magnitude_rms_rel: rms(&magnitude),
+        magnitude_max_rel: largest(&magnitude),
         phase_rms_deg: rms(&phase),
         phase_max_deg: largest(&phase),
     }

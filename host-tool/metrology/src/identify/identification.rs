@@ -17,18 +17,10 @@ pub enum Weighting {
 /// Distance of the points from the model (8.4.1, 9.2).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Deviation {
-    /// Root mean square relative deviation of the magnitude, percent.
-    #[serde(
-        rename = "magnitude_rms_rel",
-        serialize_with = "calib_output::number::percent_as_rel"
-    )]
-    pub magnitude_rms_percent: f64,
-    /// Largest relative deviation of the magnitude, percent.
-    #[serde(
-        rename = "magnitude_max_rel",
-        serialize_with = "calib_output::number::percent_as_rel"
-    )]
-    pub magnitude_max_percent: f64,
+    /// Root mean square relative deviation of the magnitude.
+    pub magnitude_rms_rel: f64,
+    /// Largest relative deviation of the magnitude.
+    pub magnitude_max_rel: f64,
     /// Root mean square deviation of the phase, degrees.
     pub phase_rms_deg: f64,
     /// Largest deviation of the phase, degrees.

@@ -23,8 +23,8 @@ pub fn report(result: &Identification, spread: Option<&Spread>) -> String {
         text,
         "  points from model: magnitude {} % rms, {} % at most;\n  \
          phase {} deg rms, {} deg at most",
-        significant(deviation.magnitude_rms_percent, 2),
-        significant(deviation.magnitude_max_percent, 2),
+        significant(100.0 * deviation.magnitude_rms_rel, 2),
+        significant(100.0 * deviation.magnitude_max_rel, 2),
         significant(deviation.phase_rms_deg, 2),
         significant(deviation.phase_max_deg, 2),
     );

@@ -57,20 +57,12 @@ pub struct ShockIdentification {
     pub consistent: Option<bool>,
     /// Peak of the output over peak of the input, for comparison with S0.
     pub peak_ratio: f64,
-    /// Root mean square of measured minus simulated output, percent of the
+    /// Root mean square of measured minus simulated output, relative to the
     /// measured peak (8.4.2); `None` when delta is not positive and the
     /// simulation would grow without bound.
-    #[serde(
-        rename = "simulation_rms_rel",
-        serialize_with = "calib_output::number::maybe_percent_as_rel"
-    )]
-    pub simulation_rms_percent: Option<f64>,
-    /// Largest deviation, percent of the measured peak.
-    #[serde(
-        rename = "simulation_max_rel",
-        serialize_with = "calib_output::number::maybe_percent_as_rel"
-    )]
-    pub simulation_max_percent: Option<f64>,
+    pub simulation_rms_rel: Option<f64>,
+    /// Largest deviation, relative to the measured peak.
+    pub simulation_max_rel: Option<f64>,
     /// Warnings.
     pub warnings: Vec<String>,
 }
@@ -181,8 +173,8 @@ impl Estimate {
             degrees_of_freedom: self.degrees_of_freedom,
             consistent: choice.u0.map(|_| self.is_consistent()),
             peak_ratio: f64::NAN,
-            simulation_rms_percent: None,
-            simulation_max_percent: None,
+            simulation_rms_rel: None,
+            simulation_max_rel: None,
             warnings: Vec::new(),
         })
     }
@@ -210,11 +202,11 @@ fn compare(result: &mut ShockIdentification, measured: &[f64], simulated: &[f64]
     let differences: Vec<f64> = measured
         .iter()
         .zip(simulated)
-        .map(|(m, s)| 100.0 * (m - s) / peak)
+        .map(|(m, s)| (m - s) / peak)
         .collect();
     let squares: f64 = differences.iter().map(|d| d * d).sum();
-    result.simulation_rms_percent = Some((squares / differences.len() as f64).sqrt());
-    result.simulation_max_percent = Some(peak_of(&differences));
+    result.simulation_rms_rel = Some((squares / differences.len() as f64).sqrt());
+    result.simulation_max_rel = Some(peak_of(&differences));
 }
 
 fn advise(result: &mut ShockIdentification) {

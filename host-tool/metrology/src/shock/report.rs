@@ -37,13 +37,13 @@ pub fn report(result: &ShockIdentification) -> String {
     ));
     text.push('\n');
     text.push_str(&wrap(&test(result), 2));
-    match (result.simulation_rms_percent, result.simulation_max_percent) {
+    match (result.simulation_rms_rel, result.simulation_max_rel) {
         (Some(rms), Some(most)) => {
             let _ = writeln!(
                 text,
                 "  forward simulation (8.4.2): {} % rms, {} % at most, of the peak",
-                significant(rms, 2),
-                significant(most, 2)
+                significant(100.0 * rms, 2),
+                significant(100.0 * most, 2)
             );
         }
         _ => text.push_str("  forward simulation (8.4.2): not possible, delta is not positive\n"),

@@ -160,7 +160,7 @@ fn the_ptb_shock_agrees_with_the_sine_fit() {
     assert!((result.oscillator.f0_hz - 51_317.0).abs() < 4.0 * result.u_f0_hz);
     // The channels are not synchronous: the phase leads, delta is negative, and
     // the report says what to do. 0.8 us brings delta to that of the sine fit.
-    assert!(result.oscillator.delta < 0.0 && result.simulation_rms_percent.is_none());
+    assert!(result.oscillator.delta < 0.0 && result.simulation_rms_rel.is_none());
     assert!(result.warnings.iter().any(|w| w.contains("synchronous")));
     let choice = Choice {
         input_delay_s: 0.8e-6,
@@ -171,7 +171,7 @@ fn the_ptb_shock_agrees_with_the_sine_fit() {
     assert!((delta - 0.083).abs() < 4.0 * aligned.u_delta, "{delta}");
     // Better than any single sensitivity: peak ratio and S0 are 4.5 % apart.
     assert!(
-        aligned.simulation_rms_percent.is_some_and(|rms| rms < 4.5),
+        aligned.simulation_rms_rel.is_some_and(|rms| rms < 0.045),
         "{aligned:?}"
     );
 }

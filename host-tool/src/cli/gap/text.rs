@@ -123,13 +123,17 @@ fn place(text: &mut String, place: &Where) {
 
 /// How far the gap shrinks.
 fn gap(text: &mut String, gap: &Gap) {
-    let closed = gap.closed.map_or(String::new(), |share| {
+    let size = &gap.size;
+    let closed = size.closed.map_or(String::new(), |share| {
         format!(", {:.1} % of it closed", 100.0 * share)
     });
     let _ = writeln!(
         text,
         "  gap     {:.3} % before, {:.3} % after, {:.3} % noise, on {} rows that took no part{closed}",
-        gap.before_percent, gap.after_percent, gap.floor_percent, gap.held_out_rows
+        100.0 * size.before_rel,
+        100.0 * size.after_rel,
+        100.0 * size.floor_rel,
+        gap.held_out_rows
     );
 }
 
@@ -150,6 +154,7 @@ fn slices(text: &mut String, answer: &Answer) {
         ("band ", " Hz", &answer.gap.by_band),
     ] {
         for slice in slices {
+            let size = &slice.size;
             let note = match (slice.beyond, slice.chosen == answer.gap.chosen) {
                 (true, true) => "  (extrapolated)",
                 (true, false) => "  (extrapolated; the others show another cause, or none)",
@@ -160,11 +165,11 @@ fn slices(text: &mut String, answer: &Answer) {
             let _ = writeln!(
                 text,
                 "  {what}   {range:<22} {:>7.3} % to {:>6.3} % (noise {:.3} %), chi {:.2} to {:.2}{note}",
-                slice.before_percent,
-                slice.after_percent,
-                slice.floor_percent,
-                slice.chi_before,
-                slice.chi_after
+                100.0 * size.before_rel,
+                100.0 * size.after_rel,
+                100.0 * size.floor_rel,
+                size.chi_before,
+                size.chi_after
             );
         }
     }
@@ -189,13 +194,16 @@ fn confirmation(confirmation: &Confirmation) -> String {
     let mut text = format!(
         "\n  confirm {effects} added to the emulated rig: the records of the firmware miss the \
          measurement by {:.3} % instead of {:.3} %, on {} rows ({refused} refused)",
-        gap.after_percent, gap.before_percent, gap.rows,
+        100.0 * gap.after_rel,
+        100.0 * gap.before_rel,
+        gap.rows,
     );
     for (name, distance) in &confirmation.by_observable {
         let _ = write!(
             text,
             "\n            {name}: {:.3} % before, {:.3} % after",
-            distance.before_percent, distance.after_percent
+            100.0 * distance.before_rel,
+            100.0 * distance.after_rel
         );
     }
     text
