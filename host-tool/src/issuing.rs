@@ -133,7 +133,7 @@ pub fn as_before(
     key: &LaboratoryKey,
     sign: impl Fn(Timestamp) -> Result<Vec<u8>>,
 ) -> Result<Option<Vec<u8>>> {
-    let own = calib_output::hex(&key.certificate().fingerprint());
+    let own = hex::encode(key.certificate().fingerprint());
     let ours = entered.iter();
     let ours = ours.filter(|file| file.signer_certificate_sha256 == own);
     let there = std::fs::read(path).ok();
@@ -145,7 +145,7 @@ pub fn as_before(
     let times = ours.filter_map(|file| Timestamp::from_second(file.entered_s).ok());
     for at in times.chain(stated) {
         let made = sign(at)?;
-        let sum = calib_output::hex(&digest(&made));
+        let sum = hex::encode(digest(&made));
         let is_entered = entered.iter().any(|file| file.sha256 == sum);
         if is_entered || there.as_ref() == Some(&made) {
             return Ok(Some(made));

@@ -153,10 +153,7 @@ fn calibrate(rigged: &mut Rigged, faulty: bool) -> Result<Vec<u8>, Fault> {
 
 /// The first bytes of a sum, enough to see that two are the same.
 fn short(sum: &Sha256Sum) -> String {
-    sum.iter()
-        .take(8)
-        .map(|byte| format!("{byte:02x}"))
-        .collect()
+    hex::encode(&sum[..8])
 }
 
 /// Prints where it is, and fails when a sample, or the firmware, was lost.

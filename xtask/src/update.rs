@@ -35,8 +35,7 @@ pub(crate) fn build(board: Option<&str>) -> Result<PathBuf> {
 /// Builds the loader that trusts the key updates are signed with.
 pub(crate) fn build_loader() -> Result<PathBuf> {
     let key = public_key(&seed()?);
-    let digits: String = key.iter().map(|byte| format!("{byte:02x}")).collect();
-    elf::build_loader(&digits)
+    elf::build_loader(&hex::encode(key))
 }
 
 /// Puts the loader and slot A on the board that is plugged in: once for an instrument, by the debug probe.
@@ -63,10 +62,7 @@ fn seed() -> Result<Seed> {
     let path = Path::new(&path);
     let text =
         fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
-    let pairs = text.trim().as_bytes().chunks(2);
-    let bytes: Option<Vec<u8>> = pairs
-        .map(|pair| u8::from_str_radix(std::str::from_utf8(pair).ok()?, 16).ok())
-        .collect();
+    let bytes = hex::decode(text.trim()).ok();
     match bytes.and_then(|bytes| bytes.try_into().ok()) {
         Some(seed) => Ok(seed),
         None => bail!(

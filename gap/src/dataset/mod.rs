@@ -87,7 +87,7 @@ impl Dataset {
             Kind::Oscillator => Measured::Record(record::read(input)?),
         };
         contradiction::check(&rig, &measured)?;
-        let sha256 = hash.finalize().iter().map(|b| format!("{b:02x}")).collect();
+        let sha256 = hex::encode(hash.finalize());
         Ok(Self {
             rig,
             measured,

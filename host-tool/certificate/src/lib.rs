@@ -117,6 +117,7 @@ pub use present::Presented;
 pub use retried::{complete, completes, without_result};
 pub use seal::Seal;
 pub use standing::digest;
+pub use stored::day;
 pub use substitution::{Standard, StandardPoint, Substituted, substitute};
 pub use temperature::instrument_covers;
 pub use verdict::Verdict;

@@ -6,7 +6,6 @@ use calib_protocol::provenance::Provenance;
 use calib_protocol::record::{self, Record, Sha256Sum};
 use calib_protocol::update::ImageOrigin;
 use calib_record::hash_chain::Standing;
-use std::fmt::Write;
 
 /// Room for any record.
 const LONGEST: usize = 64 * 1024;
@@ -78,13 +77,6 @@ pub fn digest(record: &Record) -> Sha256Sum {
 
 /// In groups of eight digits: lines may break between them.
 fn hexadecimal(sum: &Sha256Sum) -> String {
-    let mut text = String::new();
-    for (index, byte) in sum.iter().enumerate() {
-        if index > 0 && index % 4 == 0 {
-            text.push(' ');
-        }
-        // Writing into memory does not fail.
-        let _ = write!(text, "{byte:02x}");
-    }
-    text
+    let groups: Vec<String> = sum.chunks(4).map(hex::encode).collect();
+    groups.join(" ")
 }

@@ -4,7 +4,7 @@ use calib_protocol::record::Record;
 use jiff::{Timestamp, ToSpan, civil::Date, tz::TimeZone};
 
 /// A day given as days since 1970-01-01; 0 is not stated.
-pub(super) fn day(days: u32) -> Option<Date> {
+pub fn day(days: u32) -> Option<Date> {
     let epoch = Date::constant(1970, 1, 1);
     (days > 0)
         .then(|| epoch.checked_add(i64::from(days).days()).ok())

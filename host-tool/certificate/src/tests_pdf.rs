@@ -193,7 +193,7 @@ fn a_reader_of_others_finds_number_sum_and_place_in_the_square() {
     let path = folder.path().join("c.pdf");
     let record = record(&THIRD_OCTAVES_HZ);
     let sum = super::digest(&record);
-    let sum: String = sum.iter().map(|byte| format!("{byte:02x}")).collect();
+    let sum = hex::encode(sum);
     let mut stated = full();
     let long = format!("https://labor.example.org/prüfen?{}", "x".repeat(200));
     for place in [None, Some("https://labor.example.org/verify"), Some(&long)] {

@@ -80,7 +80,7 @@ fn the_sum_on_the_certificate_is_that_of_the_file() {
     let length = record::encode(&record, &mut bytes).expect("fits");
     let sum = record::digest(&bytes[..length]);
     assert_eq!(digest(&record), sum);
-    let hexadecimal: String = sum.iter().map(|byte| format!("{byte:02x}")).collect();
+    let hexadecimal = hex::encode(sum);
     let printed = json(&certificate(None))["calibration"]["sha256"].clone();
     let printed = printed.as_str().expect("text").replace(' ', "");
     assert_eq!(printed, hexadecimal);

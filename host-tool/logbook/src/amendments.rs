@@ -6,7 +6,6 @@ use super::issue::{Issue, Joined, Role, Sources};
 use super::journal::{self, Subject};
 use calib_certificate::Amendment;
 use calib_files::{Error, Result};
-use calib_output::hex;
 use calib_protocol::record::Sha256Sum;
 use rusqlite::{Connection, OptionalExtension, Row, params};
 
@@ -207,7 +206,7 @@ fn enter_joined(
 ) -> rusqlite::Result<()> {
     let put = "INSERT OR IGNORE INTO joined VALUES (?1, ?2, ?3)";
     if connection.execute(put, params![certificate, role, &sum[..]])? == 1 {
-        let name = format!("{certificate} {role} {}", hex(sum));
+        let name = format!("{certificate} {role} {}", hex::encode(sum));
         journal::enter(connection, Subject::Joined, &name)?;
     }
     Ok(())

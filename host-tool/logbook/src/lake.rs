@@ -203,11 +203,7 @@ fn name(lines: &[Line]) -> OsString {
     for (_, sum) in lines {
         hash.update(sum.as_bytes());
     }
-    let digits: String = hash.finalize()[..16]
-        .iter()
-        .map(|byte| format!("{byte:02x}"))
-        .collect();
-    format!("{digits}.parquet").into()
+    format!("{}.parquet", hex::encode(&hash.finalize()[..16])).into()
 }
 
 #[cfg(test)]

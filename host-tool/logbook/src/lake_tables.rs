@@ -134,7 +134,7 @@ fn read(bytes: &[u8], settings: &mut Part, budgets: &mut Part) -> Result<()> {
     };
     let time_ms = i64::try_from(head.labels.unix_time_s).ok();
     let time_ms = time_ms.filter(|at| *at > 0).map(|at| 1000 * at);
-    let sum = calib_output::hex(&calib_protocol::record::digest(bytes));
+    let sum = hex::encode(calib_protocol::record::digest(bytes));
     let whose = [Cell::Text(&sum), Cell::Text(&head.instrument_serial)];
     let whose = [&whose[..], &[time_ms.map_or(Cell::None, Cell::Integer)]].concat();
     let value = serde_json::to_value(in_force).map_err(|error| unusable(&error))?;

@@ -4,7 +4,6 @@ use super::Logbook;
 use calib_core::settings::Settings;
 use calib_files::Result;
 use calib_protocol::record::RecordHead;
-use jiff::{Timestamp, tz::TimeZone};
 use rusqlite::{Transaction, params};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -116,16 +115,9 @@ pub(super) fn enter(
             head.firmware.as_str(),
             reference.serial.as_str(),
             reference.certificate.as_str(),
-            day(reference.due_day),
+            calib_certificate::day(reference.due_day).map(|day| day.to_string()),
             table,
             time_s,
         ])
         .map(drop)
-}
-
-/// Days since 1970-01-01 as a date; 0 is not known.
-fn day(days: u32) -> Option<String> {
-    let seconds = (days != 0).then(|| i64::from(days) * 86_400)?;
-    let time = Timestamp::from_second(seconds).ok()?;
-    Some(time.to_zoned(TimeZone::UTC).date().to_string())
 }

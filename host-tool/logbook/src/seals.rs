@@ -12,7 +12,6 @@ use rusqlite::{Connection, OptionalExtension, Row, params};
 use schemars::JsonSchema;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
-use std::fmt::Write;
 
 /// A signature on the journal.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
@@ -56,12 +55,12 @@ impl Kept {
 
     /// Text that is signed.
     fn text(&self, chain: &[u8], before: Option<&[u8]>) -> String {
-        let before = before.map(|signature| hex(&Sha256::digest(signature)));
+        let before = before.map(|signature| hex::encode(Sha256::digest(signature)));
         format!(
             "calib journal\nseal {}\nentry {}\nchain {}\nbefore {}\ntime {}\nstatement {}\n",
             self.number,
             self.entry,
-            hex(chain),
+            hex::encode(chain),
             before.unwrap_or_default(),
             self.signed_s,
             self.statement
@@ -75,18 +74,9 @@ impl Kept {
             signed_s: self.signed_s,
             statement: self.statement.clone(),
             signed_by: by.subject(),
-            signer_certificate_sha256: hex(&by.fingerprint()),
+            signer_certificate_sha256: hex::encode(by.fingerprint()),
         }
     }
-}
-
-fn hex(bytes: &[u8]) -> String {
-    let mut text = String::new();
-    for byte in bytes {
-        // Writing into memory does not fail.
-        let _ = write!(text, "{byte:02x}");
-    }
-    text
 }
 
 impl Logbook {
@@ -104,7 +94,7 @@ impl Logbook {
         let statement = line(statement)?;
         let own = key.certificate();
         let last = self.seals()?.pop();
-        let sum = hex(&own.fingerprint());
+        let sum = hex::encode(own.fingerprint());
         let is_other = |last: &Seal| last.signer_certificate_sha256 != sum;
         match &last {
             Some(last) if is_other(last) && statement.is_empty() => {

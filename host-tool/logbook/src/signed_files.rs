@@ -50,9 +50,9 @@ impl SignedFile {
     /// Entry for a file.
     pub(super) fn of(signed: &Signed<'_>, entered_s: i64) -> Self {
         Self {
-            sha256: calib_output::hex(&Sha256::digest(signed.content).into()),
+            sha256: hex::encode(Sha256::digest(signed.content)),
             signed_by: signed.by.subject(),
-            signer_certificate_sha256: calib_output::hex(&signed.by.fingerprint()),
+            signer_certificate_sha256: hex::encode(signed.by.fingerprint()),
             entered_s,
         }
     }

@@ -8,7 +8,6 @@ use calib_files::{Error, Result};
 use calib_protocol::record;
 use calib_protocol::signature::DeviceKey;
 use std::collections::BTreeMap;
-use std::fmt::Write;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
@@ -25,11 +24,7 @@ pub fn folder(logbook: &Path) -> PathBuf {
 /// # Errors
 /// [`Error::File`].
 pub fn put(logbook: &Path, bytes: &[u8]) -> Result<PathBuf> {
-    let mut name = String::new();
-    for byte in record::digest(bytes) {
-        // Writing into memory does not fail.
-        let _ = write!(name, "{byte:02x}");
-    }
+    let name = hex::encode(record::digest(bytes));
     let folder = folder(logbook);
     std::fs::create_dir_all(&folder).map_err(|e| Error::file("create", &folder, e))?;
     private(&folder)?;

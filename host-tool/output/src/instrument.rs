@@ -1,6 +1,6 @@
 //! The calibrator, what it is doing, and what it keeps.
 
-use crate::{code, hex, unix_time_s};
+use crate::{code, unix_time_s};
 use calib_core::self_test::OptionBytes;
 use calib_core::settings::{ReferenceChannel, Settings};
 use calib_protocol::change::ReferenceChange;
@@ -76,7 +76,7 @@ pub struct ImageView {
 impl From<&RunningImage> for ImageView {
     fn from(image: &RunningImage) -> Self {
         Self {
-            sha256: hex(&image.origin.sha256),
+            sha256: hex::encode(image.origin.sha256),
             signer: code(&image.origin.signer),
             slot: code(&image.slot),
             on_trial: image.on_trial,
@@ -232,7 +232,7 @@ impl From<&RecordSummary> for RecordView {
             dut_serial: record.dut_serial.to_string(),
             points: record.points,
             refused: record.refused,
-            sha256: hex(&record.sha256),
+            sha256: hex::encode(record.sha256),
         }
     }
 }
@@ -271,7 +271,7 @@ impl From<&ReferenceChange> for ChangeView {
             kind: code(&RecordKind::ReferenceChange),
             instrument_serial: head.instrument_serial.to_string(),
             firmware: head.firmware.to_string(),
-            previous_sha256: (!is_first).then(|| hex(&head.previous_sha256)),
+            previous_sha256: (!is_first).then(|| hex::encode(head.previous_sha256)),
             unix_time_s: unix_time_s(head.labels.unix_time_s),
             operator: head.labels.operator.to_string(),
             before: change.before.clone(),

@@ -25,16 +25,7 @@ pub use instrument::{ChangeView, ImageView, InfoView, RecordView, StatusView};
 pub use point::{PointView, SetPoint, StateView};
 pub use self_test::{LineView, SelfTestView};
 
-use std::fmt::{Debug, Write};
-
-/// A SHA-256 sum as 64 hexadecimal digits.
-pub fn hex(sum: &[u8; 32]) -> String {
-    sum.iter().fold(String::new(), |mut text, byte| {
-        // Writing into memory does not fail.
-        let _ = write!(text, "{byte:02x}");
-        text
-    })
-}
+use std::fmt::Debug;
 
 /// The code of a variant without fields: its name in snake case.
 pub fn code(variant: &impl Debug) -> String {
@@ -59,10 +50,7 @@ mod tests {
     use calib_core::point_state::Reason;
 
     #[test]
-    fn sums_have_64_digits_and_codes_are_snake_case() {
-        let mut sum = [0; 32];
-        (sum[0], sum[31]) = (0xab, 1);
-        assert_eq!(hex(&sum), format!("ab{}01", "0".repeat(60)));
+    fn codes_are_snake_case() {
         assert_eq!(code(&Reason::SignalToNoise), "signal_to_noise");
         assert_eq!((unix_time_s(0), unix_time_s(7)), (None, Some(7)));
     }

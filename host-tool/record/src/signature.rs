@@ -3,7 +3,6 @@
 use calib_protocol::record::RecordError;
 use calib_protocol::signature::{self, PublicKey};
 use ed25519_dalek::{Signature, VerifyingKey};
-use std::fmt::Write;
 
 /// Signature of a record.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,15 +46,8 @@ pub fn signer(bytes: &[u8]) -> Option<PublicKey> {
 /// A key as people compare it: its first 64 bits in four groups of hexadecimal digits. That none can be made
 /// to look like another is not promised; programs compare the whole.
 pub fn short(key: &PublicKey) -> String {
-    let mut text = String::new();
-    for (index, byte) in key.iter().take(8).enumerate() {
-        if index > 0 && index % 2 == 0 {
-            text.push(' ');
-        }
-        // Writing into memory does not fail.
-        let _ = write!(text, "{byte:02x}");
-    }
-    text
+    let groups: Vec<String> = key[..8].chunks(2).map(hex::encode).collect();
+    groups.join(" ")
 }
 
 #[cfg(test)]

@@ -170,10 +170,7 @@ mod tests {
     use super::*;
 
     fn bytes(digits: &str) -> Vec<u8> {
-        let digits: Vec<char> = digits.chars().collect();
-        let byte =
-            |pair: &[char]| u8::from_str_radix(&String::from_iter(pair), 16).expect("digits");
-        digits.chunks(2).map(byte).collect()
+        hex::decode(digits).expect("digits")
     }
 
     /// RFC 6979, A.2.5: key, and signatures with SHA-256 of "sample" and "test".

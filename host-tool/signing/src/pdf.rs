@@ -136,11 +136,7 @@ pub(crate) fn sign(file: &[u8], key: &LaboratoryKey, at: Timestamp) -> Result<Ve
     let place = last(&signed, RANGE).ok_or_else(|| unknown("it has no end"))? + RANGE.len();
     signed[place..place + range.len()].copy_from_slice(range.as_bytes());
     let container = cms::sign(key, digest(&signed, &gap))?;
-    let mut digits = String::with_capacity(2 * container.len());
-    for byte in container {
-        // Writing to a String does not fail.
-        let _ = write!(digits, "{byte:02x}");
-    }
+    let digits = hex::encode(container);
     if digits.len() > gap.len() - 2 {
         return Err(unknown("its signature has no room"));
     }

@@ -68,7 +68,7 @@ impl Key {
         };
         let view = KeyView {
             instrument_serial: serial.as_str().to_owned(),
-            public_key: key.map(|key| calib_output::hex(&key.public)),
+            public_key: key.map(|key| hex::encode(key.public)),
             signed_since_record: key.map(|key| key.since),
             replaced_because,
             in_logbook: logbook.is_some() && key.is_some(),

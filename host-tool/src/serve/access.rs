@@ -1,7 +1,6 @@
 //! Who may come in: loopback freely, others with a token.
 
 use axum::http::HeaderMap;
-use std::fmt::Write;
 use std::net::SocketAddr;
 
 /// Bytes of a token: nobody guesses 128 bits.
@@ -142,10 +141,7 @@ fn new_token() -> String {
     }
     let mut bytes = [0; TOKEN_BYTES];
     ChaCha20Rng::from_seed(seed).fill_bytes(&mut bytes);
-    bytes.iter().fold(String::new(), |mut text, byte| {
-        let _ = write!(text, "{byte:02x}");
-        text
-    })
+    hex::encode(bytes)
 }
 
 #[cfg(test)]

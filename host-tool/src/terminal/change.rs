@@ -4,7 +4,6 @@ use calib_core::channel_ratio::ChannelRatio;
 use calib_core::settings::{ReferenceChannel, ReferencePoint, Settings};
 use calib_protocol::change::ReferenceChange;
 use jiff::Timestamp;
-use jiff::civil::date;
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -183,12 +182,7 @@ fn time(unix_time_s: u64) -> String {
 }
 
 fn day(days_since_1970: u32) -> String {
-    let days = i64::from(days_since_1970);
-    let day = (days > 0).then(|| date(1970, 1, 1).checked_add(jiff::Span::new().days(days)));
-    match day {
-        Some(Ok(day)) => day.to_string(),
-        _ => "not stated".to_owned(),
-    }
+    calib_certificate::day(days_since_1970).map_or("not stated".to_owned(), |day| day.to_string())
 }
 
 #[cfg(test)]

@@ -565,7 +565,7 @@ fn words_that_are_kept_forge_no_line() {
 #[test]
 fn a_record_is_verified_by_its_file_and_the_key_alone() {
     let folder = tempfile::tempdir().expect("folder");
-    let digits = calib_output::hex(&device_key(&SEEDS[0]).public);
+    let digits = hex::encode(device_key(&SEEDS[0]).public);
     let whole = signed_record(4, 1.0, &SEEDS[0]);
     let [(altered, _), (unsigned, _), (of_other, _), _] = forgeries();
     let named = ["--key", digits.as_str()];

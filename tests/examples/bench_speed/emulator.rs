@@ -60,9 +60,7 @@ pub(crate) fn measure() -> Result<(Value, Vec<PointResult>), Fault> {
             speed.instructions_per_s / 1e6,
         );
     }
-    let sum: String = (fast.done.records.iter().take(8))
-        .map(|byte| format!("{byte:02x}"))
-        .collect();
+    let sum = hex::encode(&fast.done.records[..8]);
     println!(
         "  both: records {sum}, {} instructions in {:?}",
         fast.done.instructions, fast.done.elapsed

@@ -38,15 +38,9 @@ pub fn parse(place: &str, content: Vec<u8>) -> Result<(Accelerometer, Vec<u8>)> 
 
 /// The bytes a text of hexadecimal digits stands for, if it is one.
 fn hexadecimal(content: &[u8]) -> Option<Vec<u8>> {
-    let digits: Option<Vec<u8>> = content
-        .iter()
-        .filter(|byte| !byte.is_ascii_whitespace())
-        .map(|byte| char::from(*byte).to_digit(16).map(|digit| digit as u8))
-        .collect();
-    let digits = digits?;
-    let whole = digits.len() >= 2 && digits.len() % 2 == 0;
-    let (pairs, _) = digits.as_chunks::<2>();
-    whole.then(|| pairs.iter().map(|[high, low]| high << 4 | low).collect())
+    let digits = content.iter().filter(|byte| !byte.is_ascii_whitespace());
+    let bytes = hex::decode(digits.copied().collect::<Vec<u8>>()).ok()?;
+    (!bytes.is_empty()).then_some(bytes)
 }
 
 #[cfg(test)]

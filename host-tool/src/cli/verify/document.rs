@@ -31,7 +31,7 @@ pub(super) fn verify(file: &Path, kind: Kind, bytes: &[u8], known: &[Certificate
         instrument_serial: None,
         proof,
         signed_by: signer.map(Certificate::subject),
-        signer_certificate_sha256: signer.map(|by| calib_output::hex(&by.fingerprint())),
+        signer_certificate_sha256: signer.map(|by| hex::encode(by.fingerprint())),
         signed_unix_time_s: signature.and_then(|one| one.at).map(Timestamp::as_second),
         issued: None,
         words,
@@ -66,7 +66,7 @@ fn words(signature: &Signature, proof: Proof) -> String {
             "signed by \"{by}\" ({when}), whose certificate was in force {from} to {to} only: ask the laboratory"
         ),
         _ => {
-            let sum = calib_output::hex(&signature.by.fingerprint());
+            let sum = hex::encode(signature.by.fingerprint());
             format!(
                 "signed by \"{by}\" ({when}), issued by {issuer}, which nobody here knows: compare the SHA-256 of \
                  its certificate, {sum}, with what the laboratory tells, then name that with --certificate"

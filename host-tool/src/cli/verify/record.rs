@@ -49,7 +49,7 @@ pub(super) fn verify(
         record_id: Some(link.id),
         instrument_serial: Some(serial.to_owned()),
         proof,
-        signed_by: by.map(|key| calib_output::hex(&key)),
+        signed_by: by.map(hex::encode),
         signer_certificate_sha256: None,
         signed_unix_time_s: None,
         issued: None,
