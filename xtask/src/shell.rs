@@ -71,18 +71,31 @@ pub(crate) fn run(command: &mut Command) -> Result<()> {
     Ok(())
 }
 
-/// Builds images and what runs on this computer side by side: either alone leaves a core idle while it links.
-/// Returns what `images` returns.
+/// As [`run`], but what the program says comes at once, when it has ended: another one runs beside it.
+pub(crate) fn run_quietly(mut command: Command) -> Result<()> {
+    let name = command.get_program().to_string_lossy().into_owned();
+    let output = command
+        .output()
+        .with_context(|| format!("cannot start {name}"))?;
+    let said = [output.stdout, output.stderr].concat();
+    eprint!("{}", String::from_utf8_lossy(&said));
+    if !output.status.success() {
+        bail!("{name} failed: {}", output.status);
+    }
+    Ok(())
+}
+
+/// Does two things side by side: either alone leaves a core idle now and then. Returns what `other` returns.
 pub(crate) fn beside<T: Send>(
-    images: impl FnOnce() -> Result<T> + Send,
-    host: impl FnOnce() -> Result<()>,
+    other: impl FnOnce() -> Result<T> + Send,
+    this: impl FnOnce() -> Result<()>,
 ) -> Result<T> {
     std::thread::scope(|scope| {
-        let images = scope.spawn(images);
-        host()?;
-        images
+        let other = scope.spawn(other);
+        this()?;
+        other
             .join()
-            .unwrap_or_else(|_| bail!("the build of the images panicked"))
+            .unwrap_or_else(|_| bail!("what runs beside it panicked"))
     })
 }
 

@@ -45,13 +45,17 @@ pub(crate) fn run(filter: &[String]) -> Result<()> {
     if let Some(driver) = browser::driver()? {
         tests.env("CALIB_CHROMEDRIVER", driver);
     }
-    shell::run(tests.arg("--").args(filter))?;
     // By name, a test of Rust is meant: the package is tested as a whole, or by `./run test python`.
-    if let Some(interpreter) = &interpreter
-        && (filter.is_empty() || filter == ["python"])
-    {
-        wheel::test(interpreter, image)?;
-    }
+    let whole = filter.is_empty() || filter == ["python"];
+    let package = match interpreter.filter(|_| whole) {
+        Some(interpreter) => Some(wheel::tests(&interpreter, image)?),
+        None => None,
+    };
+    // Those in Python wait most of their time, for instruments whose time passes as on a clock.
+    shell::beside(
+        || package.map_or(Ok(()), shell::run_quietly),
+        || shell::run(tests.arg("--").args(filter)),
+    )?;
     if filter.is_empty() {
         shell::run(cargo("test").args(["--release", "--workspace", "--doc", "--quiet"]))?;
         lint()?;

@@ -130,8 +130,8 @@ fn metadata() -> Result<String> {
     Ok(text)
 }
 
-/// Tests the package with pytest, in the environment of the tests: the wheel, as a user installs it.
-pub(crate) fn test(interpreter: &Path, image: &Path) -> Result<()> {
+/// The tests of the package with pytest, in the environment of the tests: of the wheel, as a user installs it.
+pub(crate) fn tests(interpreter: &Path, image: &Path) -> Result<Command> {
     installed(interpreter)?;
     python::with_spark(interpreter)?;
     let mut tests = Command::new(interpreter);
@@ -141,7 +141,8 @@ pub(crate) fn test(interpreter: &Path, image: &Path) -> Result<()> {
     tests.arg(root().join("python/tests"));
     tests.env("CALIB_FIRMWARE_ELF", image);
     tests.env("CALIB_TOOL", crate::demo::tool());
-    run(tests.current_dir(target_dir()))
+    tests.current_dir(target_dir());
+    Ok(tests)
 }
 
 /// Builds the wheel and installs it into the environment of the tests.

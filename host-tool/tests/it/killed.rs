@@ -15,6 +15,7 @@ use calib_protocol::signature::DeviceKey;
 use calib_record::sample;
 use calib_record::signature::signer;
 use calib_signing::Kind;
+use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -206,7 +207,7 @@ struct Request<'a> {
     /// Folder it begins with.
     from: &'a Path,
     /// Looks at what is there afterwards.
-    done: &'a dyn Fn(&Path),
+    done: &'a (dyn Fn(&Path) + Sync),
 }
 
 /// Cuts it off at every call, and has it completed; how many calls there were.
@@ -218,35 +219,40 @@ fn cut_everywhere(strace: &Path, fate: Fate, request: &Request<'_>) -> usize {
     assert_eq!(unsynced(whole.path()), [""; 0], "{:?}", request.arguments);
     let mut calls = calls(whole.path());
     calls.retain(|(call, _)| fate == Fate::Kill || ROOM.contains(&call.as_str()));
-    for (call, number) in &calls {
-        let folder = copied(request.from);
-        let at = folder.path();
-        let what = format!("{} {fate:?} {call} {number}", request.arguments.join(" "));
-        let cut = traced(strace, Some((fate, call, *number)), at, request.arguments);
-        match fate {
-            Fate::Kill => assert!(!cut.status.success(), "{what} was not"),
-            // In words, and no panic.
-            Fate::Full => assert!(
-                matches!(cut.status.code(), Some(0 | 1 | 6)),
-                "{what}: {cut:?}"
-            ),
-        }
-        is_whole(at, &what);
-        let completed = calib(at, request.arguments);
-        // What was done to its end, but for the word of it, is there already.
-        let said = text(&completed.stderr);
-        let words = ["already", "is there, and not empty"];
-        let is_there = words.iter().any(|words| said.contains(words));
-        assert!(completed.status.success() || is_there, "{what}: {said}");
-        is_whole(at, &what);
-        (request.done)(at);
-    }
+    let each = calls.par_iter();
+    each.for_each(|(call, number)| cut_at(strace, (fate, call, *number), request));
     println!(
         "{fate:?} {}: {} calls",
         request.arguments.join(" "),
         calls.len()
     );
     calls.len()
+}
+
+/// Cuts it off at this call, and has it completed.
+fn cut_at(strace: &Path, cut: (Fate, &str, usize), request: &Request<'_>) {
+    let (fate, call, number) = cut;
+    let folder = copied(request.from);
+    let at = folder.path();
+    let what = format!("{} {fate:?} {call} {number}", request.arguments.join(" "));
+    let run = traced(strace, Some(cut), at, request.arguments);
+    match fate {
+        Fate::Kill => assert!(!run.status.success(), "{what} was not"),
+        // In words, and no panic.
+        Fate::Full => assert!(
+            matches!(run.status.code(), Some(0 | 1 | 6)),
+            "{what}: {run:?}"
+        ),
+    }
+    is_whole(at, &what);
+    let completed = calib(at, request.arguments);
+    // What was done to its end, but for the word of it, is there already.
+    let said = text(&completed.stderr);
+    let words = ["already", "is there, and not empty"];
+    let is_there = words.iter().any(|words| said.contains(words));
+    assert!(completed.status.success() || is_there, "{what}: {said}");
+    is_whole(at, &what);
+    (request.done)(at);
 }
 
 /// Kept results are there, and each with a name is known.
@@ -331,7 +337,7 @@ fn a_kill_in_every_write_of_the_logbook_leaves_it_whole() {
             &["sensors", "add", "--serial", "S-1"][..],
             &(|at: &Path| {
                 assert!(opened(at).sensor("S-1").expect("read").is_some());
-            }) as &dyn Fn(&Path),
+            }) as &(dyn Fn(&Path) + Sync),
         ),
         (&begun, &["sensors", "add", "--serial", "S-1"], &|at| {
             assert!(opened(at).sensor("S-1").expect("read").is_some());
@@ -405,6 +411,9 @@ fn a_kill_in_every_write_of_what_an_instrument_gives_loses_nothing() {
     device.key = Some(DeviceKey { public, since: 4 });
     let (_device, address) = serve(device);
     let serial = decode(&record).expect("a record").head.instrument_serial;
+    // An instrument has one holder.
+    let one_by_one = rayon::ThreadPoolBuilder::new().num_threads(1).build();
+    let one_by_one = one_by_one.expect("a thread");
     for (verb, done) in [
         (
             &["download", "4"][..],
@@ -413,7 +422,7 @@ fn a_kill_in_every_write_of_what_an_instrument_gives_loses_nothing() {
                     std::fs::read(at.join("record-00004.calibrec")).expect("there"),
                     signed
                 );
-            }) as &dyn Fn(&Path),
+            }) as &(dyn Fn(&Path) + Sync),
         ),
         (&["sync"], &|at| {
             assert!(opened(at).has(&digest(&signed)).expect("read"));
@@ -433,7 +442,7 @@ fn a_kill_in_every_write_of_what_an_instrument_gives_loses_nothing() {
             from: begun.path(),
             done,
         };
-        let calls = cut_everywhere(&strace, Fate::Kill, &request);
+        let calls = one_by_one.install(|| cut_everywhere(&strace, Fate::Kill, &request));
         assert!(calls >= 4, "{verb:?}: {calls}");
     }
 }
@@ -449,7 +458,7 @@ fn a_disk_that_is_full_at_any_call_leaves_what_was_kept_and_says_so() {
     for (arguments, done) in [
         (
             &["logbook", "add", "new.calibrec"][..],
-            &has as &dyn Fn(&Path),
+            &has as &(dyn Fn(&Path) + Sync),
         ),
         (&[&ISSUE[..], &sealed].concat(), &issued),
     ] {
@@ -470,7 +479,10 @@ fn a_kill_in_every_write_of_a_certificate_leaves_none_that_nobody_knows() {
     let begun = begun();
     let all = |count: usize| move |at: &Path| assert_eq!(certificates(at).len(), count);
     for (more, done) in [
-        (&["--format", "csv,json"][..], &all(2) as &dyn Fn(&Path)),
+        (
+            &["--format", "csv,json"][..],
+            &all(2) as &(dyn Fn(&Path) + Sync),
+        ),
         (&["--format", "dcc,csv", "--sign", "rsa.p12"], &all(2)),
         (&["--format", "pdf,dcc", "--sign", "p256.p12"], &all(2)),
     ] {

@@ -198,8 +198,8 @@ fn garble_settings(flash: &mut [u8]) -> usize {
             continue;
         };
         // A state item of version 2: its mark, then two sections, counters and settings.
-        let is_item = flash[at..at + 4] == check_sum(item).to_le_bytes();
-        if !is_item || item.get(..4) != Some(&[STATE_ITEM[0], STATE_ITEM[1], 1, 1]) {
+        let is_state = item.get(..4) == Some(&[STATE_ITEM[0], STATE_ITEM[1], 1, 1]);
+        if !is_state || flash[at..at + 4] != check_sum(item).to_le_bytes() {
             continue;
         }
         let version_at = at + WORD + 5 + usize::from(item[4]) + 1;
