@@ -74,8 +74,8 @@ pub static LEVEL_NONLINEARITY: Entry = Entry {
     ],
     plain: "the device's sensitivity depends on the level",
     columns: &["acceleration_ms2", "ratio", "dut_h2"],
-    confused_with: &["adc_cubic", "adc_dead_zone"],
-    separate_by: "a wider range of levels, with harmonics",
+    confused_with: &["adc_cubic", "adc_dead_zone", "reference_level_nonlinearity"],
+    separate_by: "a wider range of levels, with harmonics and coil voltage",
     ..Entry::CALIBRATOR
 };
 

@@ -2,7 +2,14 @@
 
 use super::{Entry, Stage, dut};
 
-pub(crate) static ENTRIES: &[&Entry] = &[&RESONANCE, &TEMPERATURE, &DRIFT, &WARM_UP, &GAIN];
+pub(crate) static ENTRIES: &[&Entry] = &[
+    &RESONANCE,
+    &LEVEL_NONLINEARITY,
+    &TEMPERATURE,
+    &DRIFT,
+    &WARM_UP,
+    &GAIN,
+];
 
 /// Resonance of the reference, as of a device: the ratio shows its inverse, the drive transfer the
 /// resonance itself.
@@ -15,6 +22,20 @@ pub static RESONANCE: Entry = Entry {
     columns: &["frequency_hz", "ratio", "dut_deg", "ref_v", "coil_v"],
     confused_with: &["dut_lowpass_2", "relative_motion", "armature_mode"],
     separate_by: "coil voltage beside the ratio; higher frequencies with phase",
+    ..Entry::CALIBRATOR
+};
+
+/// Sensitivity that depends on the level, as that of a device (ISO 16063-21, Table A.1: amplitude linearity).
+/// References state 2e-6 (1 % per 500 g); ten times that is one that was dropped.
+pub static LEVEL_NONLINEARITY: Entry = Entry {
+    id: "reference_level_nonlinearity",
+    stage: Stage::Reference,
+    formula: "r = 1/(1 + gamma A), d the other way, A = r.m.s. acceleration in m/s2",
+    parameters: &[dut::LEVEL_NONLINEARITY.parameters[0].on_site(-2e-5, 2e-5)],
+    plain: "the reference's sensitivity depends on the level",
+    columns: &["acceleration_ms2", "ratio", "ref_v", "coil_v"],
+    confused_with: &["dut_level_nonlinearity", "adc_cubic", "adc_dead_zone"],
+    separate_by: "coil voltage beside the ratio, over a wider range of levels",
     ..Entry::CALIBRATOR
 };
 

@@ -14,6 +14,7 @@ pub(super) static EXPLANATIONS: Explanations = &[
     &LevelNonlinearity::Plain,
     &LevelNonlinearity::Second,
     &LevelNonlinearity::Third,
+    &ReferenceLevel,
     &Slow::DutTemperature,
     &Slow::ReferenceTemperature,
     &Slow::ReferenceDrift,
@@ -38,6 +39,9 @@ enum LevelNonlinearity {
     /// Gain with the third harmonic of an odd a|a| term.
     Third,
 }
+
+/// Sensitivity of the reference that grows with level.
+struct ReferenceLevel;
 
 /// A gain that follows temperature or time.
 enum Slow {
@@ -146,6 +150,27 @@ impl Effect for LevelNonlinearity {
             // a|a| of a cosine: fundamental 8/(3 pi), third harmonic 8/(15 pi).
             Self::Third => chain.dut_harmonics[1] += p[0] * row.level_ms2 / 5.0,
         }
+    }
+}
+
+impl Effect for ReferenceLevel {
+    fn is_linear(&self) -> bool {
+        true
+    }
+    fn entry(&self) -> &'static Entry {
+        &reference::LEVEL_NONLINEARITY
+    }
+    fn alike(&self, facts: &Facts) -> Option<&'static Entry> {
+        (facts.level_varies && !facts.drive).then_some(&dut::LEVEL_NONLINEARITY)
+    }
+    fn applies(&self, facts: &Facts) -> bool {
+        facts.level_varies && facts.drive
+    }
+    fn starts(&self, facts: &Facts) -> Vec<Start> {
+        vec![Start::signed(vec![0.002 / facts.largest_level_ms2], 0)]
+    }
+    fn transfer(&self, p: &[f64], row: &Row, _frequency_hz: f64, transfer: &mut Transfer) {
+        transfer.reference *= 1.0 + p[0] * row.level_ms2;
     }
 }
 

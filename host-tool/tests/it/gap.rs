@@ -3,7 +3,7 @@
 use crate::command_line::{calib, json, text};
 use crate::words;
 use calib_twin::rig::{Rig, STANDARD_RIG_TOML};
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::path::Path;
 
 /// Lines of JSON lines.
@@ -103,6 +103,34 @@ fn a_simulated_effect_is_named_and_the_dataset_does_not_tell_it() {
 
 /// With this seed the device is 6.4 % more sensitive than stated and reaches 1.504 V at
 /// 100 m/s2, where the nominal one reaches 1.414 V: the threshold is above all that is nominal.
+/// The drive tells whose gain follows the level; without it the answer says that nothing does.
+#[test]
+fn a_reference_whose_gain_follows_the_level_is_told_from_such_a_device_by_the_drive() {
+    let directory = tempfile::tempdir().expect("directory");
+    let path = directory.path();
+    let effect = "reference_level_nonlinearity=gamma_per_ms2:2e-4";
+    simulate(path, "a", &["--effect", effect, "--seed", "7"]);
+    let diagnose = || json(&calib(path, &["gap", "diagnose", "a", "--json"]));
+    let answer = diagnose();
+    let named = [effect.split('=').next().expect("a name")];
+    assert_eq!(answer["verdict"], "explained");
+    assert_eq!(answer["causes"][0]["effects"], json!(named));
+    let gamma = &answer["causes"][0]["parameters"][named[0]]["gamma_per_ms2"];
+    let [value, u] = ["value", "standard_uncertainty"].map(|key| gamma[key].as_f64().expect(key));
+    assert!((value - 2e-4).abs() < 5.0 * u && u < 2e-5, "{gamma}");
+
+    let points = path.join("a/points.csv");
+    let mut table = std::fs::read_to_string(&points).expect("written");
+    for column in ["coil_v", "coil_a", "coil_a_deg"] {
+        table = without(&table, column);
+    }
+    std::fs::write(&points, table).expect("written");
+    let answer = diagnose();
+    let pair = json!([named[0], "dut_level_nonlinearity"]);
+    let pairs = answer["confusable"].as_array().expect("a list");
+    assert!(pairs.contains(&pair), "{pairs:?}");
+}
+
 #[test]
 fn clipping_just_below_the_largest_output_is_named() {
     let directory = tempfile::tempdir().expect("directory");

@@ -9,6 +9,12 @@ pub(super) static EFFECTS: &[Effect] = &[
         let section = SecondOrder::low_pass(values[0], values[1]);
         model.reference.response.push(Section::SecondOrder(section));
     }),
+    Effect::new(
+        &reference::LEVEL_NONLINEARITY,
+        |values, _conditions, model| {
+            model.reference.level_gain_per_ms2 += values[0];
+        },
+    ),
     Effect::new(&reference::TEMPERATURE, |values, conditions, model| {
         model.reference.gain *= 1.0 + values[0] * conditions.warmer_k;
     }),

@@ -144,3 +144,18 @@ fn every_linear_effect_of_the_channels_has_its_shape() {
         }
     }
 }
+
+/// Held at what the reference shows: A (1 + gamma A) = 2, so 1 + gamma A = (1 + sqrt(1 + 8 gamma)) / 2.
+#[test]
+fn a_reference_whose_gain_follows_the_level_moves_ratio_and_drive_alike() {
+    let plain = hold(&[], &conditions(), 160.0, 2.0);
+    let text = "reference_level_nonlinearity=gamma_per_ms2:1e-3";
+    let state = hold(&[text], &conditions(), 160.0, 2.0);
+    let ratio = state.dut.harmonics_v[0] / state.reference.harmonics_v[0];
+    let drive = |state: &SteadyState| state.reference.harmonics_v[0] / state.coil_v;
+    let changed = drive(&state) / drive(&plain);
+    assert!((ratio * changed - 1.0).norm() < 1e-9, "{ratio} {changed}");
+    // But for the level, which is held to 1e-4 of itself.
+    let expected = (1.0 + 1.008_f64.sqrt()) / 2.0;
+    assert!((changed - expected).norm() < 1e-6, "{changed}");
+}
