@@ -71,20 +71,6 @@ pub(crate) fn run(command: &mut Command) -> Result<()> {
     Ok(())
 }
 
-/// As [`run`], but what the program says comes at once, when it has ended: another one runs beside it.
-pub(crate) fn run_quietly(mut command: Command) -> Result<()> {
-    let name = command.get_program().to_string_lossy().into_owned();
-    let output = command
-        .output()
-        .with_context(|| format!("cannot start {name}"))?;
-    let said = [output.stdout, output.stderr].concat();
-    eprint!("{}", String::from_utf8_lossy(&said));
-    if !output.status.success() {
-        bail!("{name} failed: {}", output.status);
-    }
-    Ok(())
-}
-
 /// Does two things side by side: either alone leaves a core idle now and then. Returns what `other` returns.
 pub(crate) fn beside<T: Send>(
     other: impl FnOnce() -> Result<T> + Send,

@@ -2,9 +2,13 @@
 
 use crate::shell::{self, cargo, target_dir};
 use crate::{browser, demo, deny, elf, no_panic, packages, python, update, wheel};
-use anyhow::{Context, Result, bail};
-use std::path::PathBuf;
+use anyhow::{Context, Result, bail, ensure};
+use serde_json::Value;
+use std::cmp::Reverse;
+use std::fs;
+use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::Mutex;
 
 /// Programs that are not ours and judge what we make: the variable that names one to the tests, its name, and what
 /// it judges.
@@ -21,41 +25,28 @@ pub(crate) fn run(filter: &[String]) -> Result<()> {
         shell::run(cargo_plain("fmt").args(["--all", "--check"]))?;
         no_test_is_skipped()?;
     }
-    let images = shell::beside(images, || shell::run(rust_tests().arg("--no-run")))?;
+    let images = shell::beside(images, || shell::run(&mut rust_tests()))?;
     if filter.is_empty() {
         images.iter().try_for_each(|image| no_panic::check(image))?;
     }
     let image = images.last().context("no board")?;
-    let mut tests = rust_tests();
-    tests
-        .env("CALIB_FIRMWARE_ELF", image)
-        .env("CALIB_TOOL", demo::tool());
     let interpreter = python::interpreter()?;
     if filter.is_empty() {
         deny::check(interpreter.as_deref())?;
     }
-    if let Some(interpreter) = &interpreter {
-        tests.env("CALIB_PYTHON", interpreter);
-    }
-    for (variable, program, about) in JUDGES {
-        if let Some(program) = packages::for_tests(program, about)? {
-            tests.env(variable, program);
-        }
-    }
-    if let Some(driver) = browser::driver()? {
-        tests.env("CALIB_CHROMEDRIVER", driver);
-    }
+    let mut programs = Vec::new();
     // By name, a test of Rust is meant: the package is tested as a whole, or by `./run test python`.
-    let whole = filter.is_empty() || filter == ["python"];
-    let package = match interpreter.filter(|_| whole) {
-        Some(interpreter) => Some(wheel::tests(&interpreter, image)?),
-        None => None,
-    };
-    // Those in Python wait most of their time, for instruments whose time passes as on a clock.
-    shell::beside(
-        || package.map_or(Ok(()), shell::run_quietly),
-        || shell::run(tests.arg("--").args(filter)),
-    )?;
+    if let Some(interpreter) = &interpreter
+        && (filter.is_empty() || filter == ["python"])
+    {
+        programs.push(wheel::tests(interpreter, image)?);
+    }
+    let surroundings = surroundings(image, interpreter)?;
+    for mut program in test_programs()? {
+        program.args(filter).envs(surroundings.clone());
+        programs.push(program);
+    }
+    run_in_pairs(programs)?;
     if filter.is_empty() {
         shell::run(cargo("test").args(["--release", "--workspace", "--doc", "--quiet"]))?;
         lint()?;
@@ -64,6 +55,48 @@ pub(crate) fn run(filter: &[String]) -> Result<()> {
         "all tests passed; the host tool is {}",
         demo::tool().display()
     );
+    Ok(())
+}
+
+/// What tests are told by variables: the image, the tool, and programs of others where they are installed.
+fn surroundings(
+    image: &Path,
+    interpreter: Option<PathBuf>,
+) -> Result<Vec<(&'static str, PathBuf)>> {
+    let mut all = vec![
+        ("CALIB_FIRMWARE_ELF", image.to_owned()),
+        ("CALIB_TOOL", demo::tool()),
+    ];
+    all.extend(interpreter.map(|path| ("CALIB_PYTHON", path)));
+    for (variable, program, about) in JUDGES {
+        let judge = packages::for_tests(program, about)?;
+        all.extend(judge.map(|path| (variable, path)));
+    }
+    let driver = browser::driver()?;
+    all.extend(driver.map(|path| ("CALIB_CHROMEDRIVER", path)));
+    Ok(all)
+}
+
+/// Runs all to their ends, two at a time: each leaves a core idle while it waits for a calibrator whose time passes as
+/// on a clock, for a disk, or for its last test.
+fn run_in_pairs(programs: Vec<Command>) -> Result<()> {
+    let queue = Mutex::new(programs.into_iter());
+    let next = || queue.lock().ok()?.next();
+    let lane = || -> Vec<anyhow::Error> {
+        let each = std::iter::from_fn(next);
+        each.filter_map(|mut program| shell::run(&mut program).err())
+            .collect()
+    };
+    let failed = std::thread::scope(|scope| {
+        let other = scope.spawn(lane);
+        let mut failed = lane();
+        failed.extend(other.join().unwrap_or_default());
+        failed
+    });
+    for error in &failed {
+        eprintln!("{error:#}");
+    }
+    ensure!(failed.is_empty(), "{} test programs failed", failed.len());
     Ok(())
 }
 
@@ -79,9 +112,31 @@ fn images() -> Result<Vec<PathBuf>> {
 /// of the benches are left to the lints: each would be linked here and never run.
 fn rust_tests() -> Command {
     let mut tests = cargo("test");
-    tests.args(["--release", "--workspace", "--no-fail-fast"]);
+    tests.args(["--release", "--workspace", "--no-run"]);
     tests.args(["--lib", "--bins", "--tests"]);
     tests
+}
+
+/// Their programs, each in the folder of its package, as cargo runs them.
+fn test_programs() -> Result<Vec<Command>> {
+    let mut programs = Vec::new();
+    for line in shell::said(rust_tests().arg("--message-format=json"))?.lines() {
+        let built: Value = serde_json::from_str(line)?;
+        let [program, manifest] = ["executable", "manifest_path"].map(|key| built[key].as_str());
+        if let (Some(program), Some(manifest)) = (program, manifest)
+            && built["profile"]["test"] == true
+        {
+            let mut command = Command::new(program);
+            command.current_dir(Path::new(manifest).parent().context("no folder")?);
+            programs.push(command);
+        }
+    }
+    // Those that hold everything take the longest; the short ones fill what is left at the end.
+    programs.sort_by_cached_key(|program| {
+        let size = fs::metadata(program.get_program()).map_or(0, |file| file.len());
+        Reverse(size)
+    });
+    Ok(programs)
 }
 
 /// Lints with warnings denied. After the tests: clippy shares no build with
