@@ -2,7 +2,7 @@
 
 use crate::shell::{self, cargo, target_dir};
 use crate::{browser, demo, deny, elf, no_panic, packages, python, update, wheel};
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, anyhow, bail, ensure};
 use serde_json::Value;
 use std::cmp::Reverse;
 use std::fs;
@@ -90,7 +90,8 @@ fn run_in_pairs(programs: Vec<Command>) -> Result<()> {
     let failed = std::thread::scope(|scope| {
         let other = scope.spawn(lane);
         let mut failed = lane();
-        failed.extend(other.join().unwrap_or_default());
+        let panicked = |_| vec![anyhow!("what runs programs panicked")];
+        failed.extend(other.join().unwrap_or_else(panicked));
         failed
     });
     for error in &failed {
@@ -108,7 +109,7 @@ fn images() -> Result<Vec<PathBuf>> {
     Ok(images)
 }
 
-/// The tests in Rust. Those of the tool need it, so cargo builds and places it with them; the programs
+/// Builds the tests in Rust. Those of the tool need it, so cargo builds and places it with them; the programs
 /// of the benches are left to the lints: each would be linked here and never run.
 fn rust_tests() -> Command {
     let mut tests = cargo("test");
@@ -131,6 +132,7 @@ fn test_programs() -> Result<Vec<Command>> {
             programs.push(command);
         }
     }
+    ensure!(!programs.is_empty(), "cargo built no tests");
     // Those that hold everything take the longest; the short ones fill what is left at the end.
     programs.sort_by_cached_key(|program| {
         let size = fs::metadata(program.get_program()).map_or(0, |file| file.len());
@@ -179,4 +181,24 @@ fn no_test_is_skipped() -> Result<()> {
         }
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_programs_run_and_each_that_fails_is_counted() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let shell = |script: &str| {
+            let mut command = Command::new("sh");
+            command.args(["-c", script]).current_dir(folder.path());
+            command
+        };
+        let all = ["exit 3", "touch first", "exit 1", "touch second"].map(shell);
+        let failed = run_in_pairs(all.into()).expect_err("two fail");
+        assert_eq!(failed.to_string(), "2 test programs failed");
+        assert!(["first", "second"].map(|name| folder.path().join(name).exists()) == [true; 2]);
+        run_in_pairs(vec![shell("true")]).expect("none fails");
+    }
 }
