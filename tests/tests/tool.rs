@@ -86,11 +86,24 @@ impl Emulated {
         let mut output = BufReader::new(process.stdout.take().expect("piped"));
         let mut address = String::new();
         output.read_line(&mut address).expect("an address");
-        Self {
+        let emulated = Self {
             process,
             address: address.trim().to_owned(),
             _output: output,
-        }
+        };
+        emulated.answers(folder);
+        emulated
+    }
+
+    /// It reads its flash while it starts, and is busy; so is a computer that runs other tests beside this one.
+    fn answers(&self, folder: &Path) {
+        let ask = ["records", "-d", &self.address, "--json"];
+        let mut asked = (0..200).map(|_| output(folder, &ask));
+        let answered = asked.any(|answer| {
+            std::thread::sleep(Duration::from_millis(50));
+            answer.status.success()
+        });
+        assert!(answered, "{} starts", self.address);
     }
 
     fn switch_off(mut self) {
@@ -175,14 +188,7 @@ fn a_killed_emulated_calibrator_has_what_it_stored() {
         emulated.process.wait().expect("ended");
     }
     let emulated = start();
-    let ask = ["records", "-d", &emulated.address, "--json"];
-    // It reads its flash while it starts, and is busy.
-    let answers = (0..100).map(|_| {
-        std::thread::sleep(Duration::from_millis(50));
-        output(folder.path(), &ask)
-    });
-    let answer = answers.into_iter().find(|answer| answer.status.success());
-    let records: Value = serde_json::from_slice(&answer.expect("starts").stdout).expect("JSON");
+    let records = json(folder.path(), &["records", "-d", &emulated.address]);
     assert_eq!(records.as_array().expect("records").len(), 3);
     emulated.switch_off();
 }

@@ -113,6 +113,16 @@ pub enum LinkError {
         /// Bytes received.
         bytes: usize,
     },
+    /// Frames came back, but each answers an earlier request: a link or a computer that is slow.
+    #[error("every answer from {address} came too late ({late} answers in {attempts} attempts)")]
+    Late {
+        /// Address as given.
+        address: String,
+        /// Answers to earlier requests.
+        late: u32,
+        /// Requests sent.
+        attempts: u32,
+    },
     /// Frames came back, but the checksum failed each time.
     #[error("every answer from {address} came damaged ({damaged} frames in {attempts} attempts)")]
     Damaged {
@@ -141,6 +151,9 @@ impl LinkError {
             }
             Self::NotACalibrator { .. } => {
                 "this is the port of another device: `calib devices` lists the ports"
+            }
+            Self::Late { .. } => {
+                "the computer or the link is busy: close other programs, and repeat"
             }
             Self::Damaged { .. } => {
                 "check the cable, or move it away from the power amplifier, and repeat"

@@ -71,6 +71,7 @@ enum Attempt {
 struct Tally {
     bytes: usize,
     damaged: u32,
+    late: u32,
 }
 
 /// Sequence numbers and buffers of a conversation.
@@ -284,7 +285,7 @@ impl Exchange {
                     tally.damaged += 1;
                     *timeout = (*timeout).min(QUIET_AFTER_DAMAGE);
                 }
-                Heard::Late => {}
+                Heard::Late => tally.late += 1,
             }
         }
         None
@@ -314,7 +315,18 @@ impl Exchange {
         let address = self.name();
         match *tally {
             Tally { bytes: 0, .. } => LinkError::NoAnswer { address, attempts },
-            Tally { damaged: 0, bytes } => LinkError::NotACalibrator { address, bytes },
+            Tally {
+                damaged: 0,
+                late: 0,
+                bytes,
+            } => LinkError::NotACalibrator { address, bytes },
+            Tally {
+                damaged: 0, late, ..
+            } => LinkError::Late {
+                address,
+                late,
+                attempts,
+            },
             Tally { damaged, .. } => LinkError::Damaged {
                 address,
                 damaged,

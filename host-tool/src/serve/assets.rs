@@ -187,6 +187,11 @@ mod tests {
                 address: address(),
                 bytes: 7,
             },
+            LinkError::Late {
+                address: address(),
+                late: 4,
+                attempts: 4,
+            },
             LinkError::Damaged {
                 address: address(),
                 damaged: 4,
@@ -262,7 +267,7 @@ mod tests {
         let broken = all
             .iter()
             .filter(|(message, _)| !message.starts_with("the calibrator refused"));
-        assert_eq!(broken.clone().count(), 8);
+        assert_eq!(broken.clone().count(), 9);
         for (message, hint) in broken {
             let words = message.replace("COM3", "PORT");
             let ends = |row: &&str| {

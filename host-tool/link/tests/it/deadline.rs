@@ -106,6 +106,17 @@ fn a_stop_that_is_not_confirmed_says_so_within_half_a_second() {
     }
 }
 
+/// A calibrator that is slow is no other device.
+#[test]
+fn answers_that_come_too_late_are_called_so() {
+    let link = SlowLink::new(Way::OldFrames(100 * MS));
+    let failed = Client::new(Box::new(link)).status().expect_err("too late");
+    let Error::Link(LinkError::Late { late, .. }) = failed else {
+        panic!("{failed}");
+    };
+    assert!(late > 4, "{late}");
+}
+
 #[test]
 fn no_run_begins_past_a_stop_and_the_next_one_does() {
     let spec = || RunSpec {
