@@ -170,7 +170,9 @@ impl Effect for ReferenceLevel {
         vec![Start::signed(vec![0.002 / facts.largest_level_ms2], 0)]
     }
     fn transfer(&self, p: &[f64], row: &Row, _frequency_hz: f64, transfer: &mut Transfer) {
-        transfer.reference *= 1.0 + p[0] * row.level_ms2;
+        // It shows A (1 + gamma A), which is the level of the row.
+        let root = (1.0 + 4.0 * p[0] * row.level_ms2).max(0.0).sqrt();
+        transfer.reference *= f64::midpoint(1.0, root);
     }
 }
 
