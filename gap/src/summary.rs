@@ -31,7 +31,8 @@ impl Answer {
     }
 
     fn first_sentence(&self) -> String {
-        let closed = self.gap.size.closed.map(|share| (100.0 * share).max(0.0));
+        let size = &self.gap.size;
+        let closed = size.closed.map(|share| (100.0 * share).max(0.0));
         let share = closed.map_or("the gap".to_owned(), |c| format!("{c:.1} % of the gap"));
         let first = self.causes.first();
         match (self.verdict, first) {
@@ -56,13 +57,11 @@ impl Answer {
                     self.in_all()
                 )
             }
-            (_, Some(first)) if self.gap.size.closed.is_some_and(|c| c >= thresholds::HALF) => {
-                format!(
-                    "{} closes {share} on rows that took no part, but not at every level and in every band: \
+            (_, Some(first)) if size.closed.is_some_and(|c| c >= thresholds::HALF) => format!(
+                "{} closes {share} on rows that took no part, but not at every level and in every band: \
                  no cause in the library explains it.",
-                    described(first)
-                )
-            }
+                described(first)
+            ),
             (_, Some(first)) => format!(
                 "No cause in the library explains the gap; the nearest, {}, closes {} of it on rows \
                  that took no part.",

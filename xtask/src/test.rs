@@ -43,7 +43,7 @@ pub(crate) fn run(filter: &[String]) -> Result<()> {
     }
     let surroundings = surroundings(image, interpreter)?;
     for mut program in test_programs()? {
-        program.args(filter).envs(surroundings.clone());
+        program.args(filter).envs(surroundings.iter().cloned());
         programs.push(program);
     }
     run_in_pairs(programs)?;

@@ -313,21 +313,15 @@ impl Exchange {
 
     fn gave_up(&self, attempts: u32, tally: &Tally) -> LinkError {
         let address = self.name();
-        match *tally {
-            Tally { bytes: 0, .. } => LinkError::NoAnswer { address, attempts },
-            Tally {
-                damaged: 0,
-                late: 0,
-                bytes,
-            } => LinkError::NotACalibrator { address, bytes },
-            Tally {
-                damaged: 0, late, ..
-            } => LinkError::Late {
+        match (tally.bytes, tally.damaged, tally.late) {
+            (0, ..) => LinkError::NoAnswer { address, attempts },
+            (bytes, 0, 0) => LinkError::NotACalibrator { address, bytes },
+            (_, 0, late) => LinkError::Late {
                 address,
                 late,
                 attempts,
             },
-            Tally { damaged, .. } => LinkError::Damaged {
+            (_, damaged, _) => LinkError::Damaged {
                 address,
                 damaged,
                 attempts,

@@ -201,13 +201,16 @@ fn copy(from: &Path, to: &Path) {
     }
 }
 
+/// Looks at what is there afterwards; several folders at once.
+type Look<'a> = &'a (dyn Fn(&Path) + Sync);
+
 /// A request that changes files, and completes itself when it is made once more.
 struct Request<'a> {
     arguments: &'a [&'a str],
     /// Folder it begins with.
     from: &'a Path,
     /// Looks at what is there afterwards.
-    done: &'a (dyn Fn(&Path) + Sync),
+    done: Look<'a>,
 }
 
 /// Cuts it off at every call, and has it completed; how many calls there were.
@@ -337,7 +340,7 @@ fn a_kill_in_every_write_of_the_logbook_leaves_it_whole() {
             &["sensors", "add", "--serial", "S-1"][..],
             &(|at: &Path| {
                 assert!(opened(at).sensor("S-1").expect("read").is_some());
-            }) as &(dyn Fn(&Path) + Sync),
+            }) as Look<'_>,
         ),
         (&begun, &["sensors", "add", "--serial", "S-1"], &|at| {
             assert!(opened(at).sensor("S-1").expect("read").is_some());
@@ -422,7 +425,7 @@ fn a_kill_in_every_write_of_what_an_instrument_gives_loses_nothing() {
                     std::fs::read(at.join("record-00004.calibrec")).expect("there"),
                     signed
                 );
-            }) as &(dyn Fn(&Path) + Sync),
+            }) as Look<'_>,
         ),
         (&["sync"], &|at| {
             assert!(opened(at).has(&digest(&signed)).expect("read"));
@@ -456,10 +459,7 @@ fn a_disk_that_is_full_at_any_call_leaves_what_was_kept_and_says_so() {
     let has = |at: &Path| drop(opened(at).record(2).expect("entered"));
     let issued = |at: &Path| assert_eq!(certificates(at).len(), 2);
     for (arguments, done) in [
-        (
-            &["logbook", "add", "new.calibrec"][..],
-            &has as &(dyn Fn(&Path) + Sync),
-        ),
+        (&["logbook", "add", "new.calibrec"][..], &has as Look<'_>),
         (&[&ISSUE[..], &sealed].concat(), &issued),
     ] {
         let request = Request {
@@ -479,10 +479,7 @@ fn a_kill_in_every_write_of_a_certificate_leaves_none_that_nobody_knows() {
     let begun = begun();
     let all = |count: usize| move |at: &Path| assert_eq!(certificates(at).len(), count);
     for (more, done) in [
-        (
-            &["--format", "csv,json"][..],
-            &all(2) as &(dyn Fn(&Path) + Sync),
-        ),
+        (&["--format", "csv,json"][..], &all(2) as Look<'_>),
         (&["--format", "dcc,csv", "--sign", "rsa.p12"], &all(2)),
         (&["--format", "pdf,dcc", "--sign", "p256.p12"], &all(2)),
     ] {
