@@ -38,4 +38,5 @@ pub use options::Options;
 pub use pictures::{Conditions, Datum, Pictures, Residuals, Trace};
 pub use plan::{Measurement, Pair, Plan, plan};
 pub use report::report;
+pub use summary::three_digits;
 pub use thresholds::{ENOUGH_SIGMA, POSSIBLE_PROBABILITY};

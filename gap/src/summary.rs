@@ -3,8 +3,8 @@
 use crate::answer::{Answer, Cause, OwnNoise, Remainder, Verdict};
 use crate::thresholds;
 
-/// A number as a person reads it: three digits.
-pub(crate) fn short(value: f64) -> String {
+/// A number as a person reads it: three significant digits, with an exponent only below 1e-3 and from 1e6 on.
+pub fn three_digits(value: f64) -> String {
     let size = value.abs();
     match size {
         0.0 => "0".into(),
@@ -105,7 +105,7 @@ fn described(cause: &Cause) -> String {
         let parameter = entry.and_then(|entry| entry.parameters.first());
         let value = parameter.and_then(|p| Some((p, values?.get(p.name)?)));
         value.map_or((*id).to_owned(), |(parameter, estimate)| {
-            let value = short(estimate.value);
+            let value = three_digits(estimate.value);
             // What the data say of a nominal value is known to its stated uncertainty.
             match id.starts_with("nominal_") {
                 true => format!(
@@ -123,11 +123,11 @@ fn described(cause: &Cause) -> String {
 fn left(left: Remainder) -> String {
     format!(
         "What is left, {} % in {} along {} from {} to {}, is not explained.",
-        short(100.0 * left.rms_rel),
+        three_digits(100.0 * left.rms_rel),
         left.observable,
         left.axis.name(),
-        short(left.from),
-        short(left.to)
+        three_digits(left.from),
+        three_digits(left.to)
     )
 }
 
@@ -136,7 +136,7 @@ fn noise(noise: &OwnNoise) -> Vec<String> {
     let list = |map: &std::collections::BTreeMap<&'static str, f64>| {
         let items = map
             .iter()
-            .map(|(name, value)| format!("{} in {name}", short(*value)));
+            .map(|(name, value)| format!("{} in {name}", three_digits(*value)));
         items.collect::<Vec<_>>().join(", ")
     };
     if !noise.factor_on_u.is_empty() {
@@ -163,11 +163,12 @@ fn noise(noise: &OwnNoise) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::short;
+    use super::three_digits;
 
     #[test]
     fn numbers_have_three_digits() {
-        let shown = [0.0, 0.2, 3100.0, 12.345, 1.0002e7, 4e-5].map(short);
-        assert_eq!(shown, ["0", "0.2", "3100", "12.3", "1.00e7", "4.00e-5"]);
+        let shown = [0.0, -0.05, 0.3099, 3100.0, 12.345, 1.0002e7, 4e-5].map(three_digits);
+        let read = ["0", "-0.05", "0.31", "3100", "12.3", "1.00e7", "4.00e-5"];
+        assert_eq!(shown, read);
     }
 }

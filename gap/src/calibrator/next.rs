@@ -5,7 +5,7 @@ use super::problem::Problem;
 use crate::answer::{Cause, OwnNoise, Remainder, Verdict, Where};
 use crate::axis::Axis;
 use crate::observable::Group;
-use crate::summary::short;
+use crate::summary::three_digits;
 use calib_effects::{Of, named};
 
 /// Findings from which a next measurement follows.
@@ -57,8 +57,8 @@ impl Next<'_> {
         format!(
             "for what {name} leaves: {} between {} and {}, {}",
             left.observable,
-            short(left.from),
-            short(left.to),
+            three_digits(left.from),
+            three_digits(left.to),
             way(left.axis)
         )
     }
@@ -66,7 +66,10 @@ impl Next<'_> {
     /// Range measured so far, to which "higher" and "lower" refer.
     fn so_far(&self) -> String {
         let facts = &self.problem.facts;
-        let (lowest, highest) = (short(facts.lowest_hz), short(facts.highest_hz));
+        let (lowest, highest) = (
+            three_digits(facts.lowest_hz),
+            three_digits(facts.highest_hz),
+        );
         format!(" (so far from {lowest} Hz to {highest} Hz)")
     }
 

@@ -4,9 +4,9 @@
 //! standard uncertainties to either side, and what the best set of effects
 //! says that difference should be.
 
-use super::plain::short;
 use crate::observable::{Channel, Group, Observable};
 use crate::pictures::{Conditions, Datum, Residuals, Trace};
+use crate::summary::three_digits;
 use calib_plot::{Axis, Ink, Mark, Plot, Point, Scale, Shape};
 use std::collections::BTreeMap;
 
@@ -153,7 +153,11 @@ impl<'a> Curve<'a> {
             } else {
                 Shape::Dot
             },
-            title: format!("{} Hz: {} {unit}", short(row.frequency_hz), short(value)),
+            title: format!(
+                "{} Hz: {} {unit}",
+                three_digits(row.frequency_hz),
+                three_digits(value)
+            ),
             ..Point::new(self.at(d), value).with_bar(2.0 * d.u * factor)
         }
     }

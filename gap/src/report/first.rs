@@ -1,8 +1,8 @@
 //! Text of the first screen beyond the fields of an answer.
 
 use super::plain;
-use super::plain::short;
 use crate::answer::{Answer, Cause, Verdict, Where};
+use crate::summary::three_digits;
 use crate::thresholds;
 use calib_effects::{Of, Stage, effect};
 
@@ -57,7 +57,11 @@ pub(super) fn elsewhere(answer: &Answer) -> Option<String> {
         (true, false) => "\u{a0}m/s\u{b2}",
         (false, _) => "\u{a0}Hz",
     };
-    let place = format!("{} to {}{unit}", short(slice.from), short(slice.to));
+    let place = format!(
+        "{} to {}{unit}",
+        three_digits(slice.from),
+        three_digits(slice.to)
+    );
     let words = if closed > thresholds::HOLDS {
         format!(
             "It holds where it was not fitted: at levels and in bands that were left out, {:.0}\u{a0}% of the gap or more is closed.",

@@ -3,9 +3,9 @@
 //! A cell holds the root mean square of difference over uncertainty: about 1
 //! is noise. The number is printed in the cell, so colour is not needed.
 
-use super::plain::short;
 use crate::observable::Group;
 use crate::pictures::{Conditions, Datum, Residuals};
+use crate::summary::three_digits;
 use serde::Serialize;
 
 /// Rows of a map: the observables of a group that are phases, or those that are not.
@@ -118,7 +118,8 @@ impl Bins {
     }
 
     fn names(&self, unit: &str) -> Vec<String> {
-        let name = |pair: &[f64]| format!("{}..{}{unit}", short(pair[0]), short(pair[1]));
+        let name =
+            |pair: &[f64]| format!("{}..{}{unit}", three_digits(pair[0]), three_digits(pair[1]));
         self.edges.windows(2).map(name).collect()
     }
 }
@@ -193,9 +194,9 @@ fn by_condition(residuals: &Residuals, side: Side) -> Option<Map> {
             let data = residuals.data.iter().filter(inside);
             let column = |d: &Datum| MAPPED.iter().position(|m| m.0 == mapped(d));
             let range = if first == last {
-                short(first)
+                three_digits(first)
             } else {
-                format!("{}..{}", short(first), short(last))
+                format!("{}..{}", three_digits(first), three_digits(last))
             };
             rows.push((
                 format!("{name} {range}{unit}"),

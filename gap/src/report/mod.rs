@@ -20,10 +20,10 @@ use crate::answer::Answer;
 use crate::axis::Axis;
 use crate::error::GapError;
 use crate::pictures::Pictures;
+use crate::summary::three_digits;
 use calib_effects::Stage;
 use minijinja::value::{Serde, Value};
 use minijinja::{AutoEscape, Environment, UndefinedBehavior, context};
-use plain::short;
 use serde::Serialize;
 
 const TEMPLATE: &str = include_str!("page.html");
@@ -93,8 +93,10 @@ fn environment() -> Environment<'static> {
     let mut environment = Environment::new();
     environment.set_auto_escape_callback(|_| AutoEscape::Html);
     environment.set_undefined_behavior(UndefinedBehavior::Strict);
-    environment.add_filter("short", short);
-    environment.add_filter("percent", |value: f64| format!("{}\u{a0}%", short(value)));
+    environment.add_filter("three_digits", three_digits);
+    environment.add_filter("percent", |value: f64| {
+        format!("{}\u{a0}%", three_digits(value))
+    });
     environment.add_filter("fixed", |value: f64, decimals: usize| {
         format!("{value:.decimals$}")
     });

@@ -1,6 +1,7 @@
 //! Observables and conditions in words that need no training.
 
 use crate::axis::Axis;
+use crate::summary::three_digits;
 
 /// Words for an observable.
 pub(super) fn observable(name: &str) -> &'static str {
@@ -29,23 +30,6 @@ pub(super) fn range(axis: Axis, from: f64, to: f64) -> String {
         Axis::CoilVoltage => ("at coil voltages", "V"),
         Axis::Amplitude => ("amplitude", ""),
     };
-    let (from, to) = (short(from), short(to));
+    let (from, to) = (three_digits(from), three_digits(to));
     format!("{words} from {from} to {to}\u{a0}{unit}")
-}
-
-/// Three significant digits, without an exponent where it reads better.
-pub(super) fn short(value: f64) -> String {
-    if value == 0.0 || !value.is_finite() {
-        return "0".into();
-    }
-    let decade = value.abs().log10().floor() as i32;
-    if !(-4..6).contains(&decade) {
-        return format!("{value:.2e}");
-    }
-    let text = format!("{value:.*}", (2 - decade).max(0) as usize);
-    if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.').into()
-    } else {
-        text
-    }
 }

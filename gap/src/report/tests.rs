@@ -1,6 +1,5 @@
 //! The page holds what the answer says, and nothing an answer says can leave its place.
 
-use super::plain::short;
 use super::report;
 use crate::answer::*;
 use crate::axis::Axis;
@@ -249,13 +248,4 @@ fn both_figures_of_a_confirmation_are_in_the_sentence_and_in_the_table() {
     answer.confirmation = Some(confirmation);
     let page = report(&[answer]).expect("renders");
     assert!(page.contains("refuses all 2 points"));
-}
-
-#[test]
-fn numbers_read_as_a_person_writes_them() {
-    let shown = [0.0, 0.3099, 7.9, 10_000.0, 12.3456, 1.2e-7, -0.05].map(short);
-    assert_eq!(
-        shown,
-        ["0", "0.31", "7.9", "10000", "12.3", "1.20e-7", "-0.05"]
-    );
 }

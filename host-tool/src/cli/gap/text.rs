@@ -1,6 +1,6 @@
 //! An answer in words.
 
-use calib_gap::{Answer, Cause, Confirmation, Estimate, Gap, Verdict, Where};
+use calib_gap::{Answer, Cause, Confirmation, Estimate, Gap, Verdict, Where, three_digits};
 use std::fmt::Write;
 
 /// The answer for a terminal.
@@ -161,7 +161,11 @@ fn slices(text: &mut String, answer: &Answer) {
                 (false, true) => "",
                 (false, false) => "  (the others show another cause, or none)",
             };
-            let range = format!("{} .. {}{unit}", short(slice.from), short(slice.to));
+            let range = format!(
+                "{} .. {}{unit}",
+                three_digits(slice.from),
+                three_digits(slice.to)
+            );
             let _ = writeln!(
                 text,
                 "  {what}   {range:<22} {:>7.3} % to {:>6.3} % (noise {:.3} %), chi {:.2} to {:.2}{note}",
@@ -173,15 +177,6 @@ fn slices(text: &mut String, answer: &Answer) {
             );
         }
     }
-}
-
-/// Three significant digits.
-fn short(value: f64) -> String {
-    if value == 0.0 {
-        return "0".into();
-    }
-    let decimals = 2 - value.abs().max(1e-9).log10().floor() as i32;
-    format!("{value:.*}", decimals.clamp(0, 9) as usize)
 }
 
 /// Result of the firmware on the emulated rig.
