@@ -4,7 +4,7 @@ use super::evaluation::{Evaluation, Responses};
 use super::nuisance::Nuisance;
 use super::problem::{Problem, wrapped};
 use super::remainder::Remainders;
-use crate::effects::Active;
+use crate::model::effect::Active;
 use crate::model::memory::{Memory, Recall};
 use crate::model::predict::predict;
 use crate::model::prediction::{Nominal, Prediction};

@@ -5,7 +5,7 @@ use super::evaluation::Evaluation;
 use super::fit::{Fit, Workspace};
 use super::nuisance::Nuisance;
 use super::problem::{Column, Problem};
-use crate::effects::Active;
+use crate::model::effect::Active;
 use crate::observable::Observable;
 use crate::thresholds;
 use calib_effects::Scale;

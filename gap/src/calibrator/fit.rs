@@ -1,7 +1,7 @@
 //! A set of effects as a search has it.
 
 use super::problem::Problem;
-use crate::effects::Active;
+use crate::model::effect::Active;
 use crate::model::memory::Memory;
 
 /// A refined set of effects.

@@ -4,7 +4,8 @@ use super::candidate::PredictedGain;
 use super::fit::Fit;
 use super::linear::Slopes;
 use super::problem::Problem;
-use crate::effects::{Shows, library};
+use crate::effects::library;
+use crate::model::effect::Shows;
 use crate::thresholds;
 use std::rc::Rc;
 

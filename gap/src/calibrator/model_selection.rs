@@ -2,8 +2,9 @@
 
 use super::fit::Fit;
 use super::problem::Problem;
-use crate::effects::{Effect, library};
+use crate::effects::library;
 use crate::estimation::selection::{cost_of_cause, cost_of_parameter, probabilities};
+use crate::model::effect::Effect;
 use crate::thresholds;
 
 /// A refined set with its score, -2 ln of the (unnormalised) posterior probability.

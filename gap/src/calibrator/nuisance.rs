@@ -1,7 +1,7 @@
 //! Free values of a fit that are no effect: gains, nominal values of the exciter, healthy noise.
 
 use crate::dataset::{ExciterParameter, Measurand, Quantity, Repeatability, Rig, Transducer};
-use crate::effects::Facts;
+use crate::model::facts::Facts;
 use crate::model::row::Row;
 use crate::observable::Channel;
 use crate::thresholds;

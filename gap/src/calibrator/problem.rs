@@ -2,8 +2,8 @@
 
 use super::nuisance::{Free, Nuisance, nuisances, stretched, stretched_slope};
 use crate::dataset::{ExciterParameter, ExciterParameters, Measured, Point, Quantity, Rig};
-use crate::effects::Facts;
 use crate::estimation::column::Blocks;
+use crate::model::facts::Facts;
 use crate::model::memory::Memory;
 use crate::model::prediction::Nominal;
 use crate::model::row::Row;

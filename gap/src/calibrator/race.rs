@@ -5,8 +5,9 @@ use super::fit::{Fit, Workspace};
 use super::found::{Found, Plan};
 use super::problem::Problem;
 use super::refine::{FULL, moved, refine, refine_with};
-use crate::effects::{Active, library};
+use crate::effects::library;
 use crate::estimation::descent::Effort;
+use crate::model::effect::Active;
 
 /// Refines a proposed set and keeps what it finds; `nominal` is the objective without effects.
 pub(super) fn race(

@@ -7,8 +7,8 @@
 use super::evaluation::Evaluation;
 use super::nuisance::Nuisance;
 use super::problem::Problem;
-use crate::effects::Active;
 use crate::model::chain::Transfer;
+use crate::model::effect::Active;
 use crate::model::scatter::Scatter;
 use crate::observable::{Channel, Group, Observable, Table};
 use std::collections::HashMap;

@@ -5,8 +5,8 @@ use super::fit::{Fit, Workspace};
 use super::lack_of_fit::{LackOfFit, examine};
 use super::problem::Problem;
 use super::search::Search;
-use crate::effects::Active;
 use crate::estimation::verdict::{Evidence, Verdict, conclude};
+use crate::model::effect::Active;
 use crate::thresholds;
 
 /// Result of a search, and the remainder of the data.

@@ -1,8 +1,8 @@
 //! Bent characteristics of one converter.
 
-use super::effect::{Effect, Explanations, Shows, Start, ratios};
-use super::facts::Facts;
 use crate::model::chain::{Chain, Transfer};
+use crate::model::effect::{Effect, Explanations, Shows, Start, ratios};
+use crate::model::facts::Facts;
 use crate::model::row::Row;
 use crate::model::waveform::Characteristic;
 use calib_effects::{Entry, Parameter, digitiser};

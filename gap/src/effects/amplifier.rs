@@ -1,8 +1,8 @@
 //! The power amplifier.
 
-use super::effect::{Effect, Explanations, Start, ratios};
-use super::facts::Facts;
 use crate::model::chain::Chain;
+use crate::model::effect::{Effect, Explanations, Start, ratios};
+use crate::model::facts::Facts;
 use crate::model::row::Row;
 use calib_effects::{Entry, amplifier};
 

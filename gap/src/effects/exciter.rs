@@ -1,9 +1,9 @@
 //! Linear parts of the exciter: mechanics, coil, armature, nominal values that are off.
 
-use super::effect::{Effect, Explanations, Start, ratios};
-use super::facts::Facts;
 use crate::model::chain::{Chain, Transfer};
+use crate::model::effect::{Effect, Explanations, Start, ratios};
 use crate::model::exciter::Body;
+use crate::model::facts::Facts;
 use crate::model::row::Row;
 use calib_effects::{Entry, exciter};
 use num_complex::Complex64;

@@ -1,8 +1,8 @@
 //! Gains that depend on frequency, level, temperature or time.
 
-use super::effect::{Effect, Explanations, Start, ratios};
-use super::facts::Facts;
 use crate::model::chain::{Chain, Transfer};
+use crate::model::effect::{Effect, Explanations, Start, ratios};
+use crate::model::facts::Facts;
 use crate::model::row::Row;
 use calib_effects::{Entry, Parameter, amplifier, dut, reference};
 use num_complex::Complex64;

@@ -6,12 +6,9 @@
 //! open, has variants: several explanations of one name, of which the best one
 //! speaks for the name.
 
-mod effect;
-mod exciter;
-mod facts;
-
 mod adc;
 mod amplifier;
+mod exciter;
 mod filters;
 mod gains;
 mod motion;
@@ -21,10 +18,8 @@ mod resonance;
 mod suspension;
 mod timing;
 
-pub(crate) use effect::{Active, Effect, Shows, Start, Stated};
-pub(crate) use facts::Facts;
-
 use crate::error::GapError;
+use crate::model::effect::Effect;
 use std::sync::LazyLock;
 
 /// All explanations, in the order in which equals are preferred.

@@ -1,9 +1,9 @@
 //! Motion that the two transducers do not share.
 
-use super::effect::{Effect, Explanations, Start, ratios};
-use super::facts::Facts;
 use super::resonance::second_order;
 use crate::model::chain::Transfer;
+use crate::model::effect::{Effect, Explanations, Start, ratios};
+use crate::model::facts::Facts;
 use crate::model::row::Row;
 use calib_effects::{Entry, mount};
 use num_complex::Complex64;

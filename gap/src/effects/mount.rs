@@ -1,8 +1,8 @@
 //! Effects of the mounting on the device under test.
 
-use super::effect::{Effect, Explanations, Start, ratios};
-use super::facts::Facts;
 use crate::model::chain::{Chain, Transfer};
+use crate::model::effect::{Effect, Explanations, Start, ratios};
+use crate::model::facts::Facts;
 use crate::model::row::Row;
 use crate::model::scatter::Scatter;
 use crate::model::waveform::Characteristic;

@@ -1,8 +1,8 @@
 //! Effects that show as noise and as scatter, not as a response.
 
-use super::effect::{Effect, Explanations, Start, Stated, ratios};
-use super::facts::Facts;
 use crate::model::chain::Transfer;
+use crate::model::effect::{Effect, Explanations, Start, Stated, ratios};
+use crate::model::facts::Facts;
 use crate::model::row::Row;
 use crate::model::scatter::{Line, Scatter, taken};
 use crate::observable::Observable;

@@ -1,8 +1,8 @@
 //! Resonances of the transducers and of the contact between device and table.
 
-use super::effect::{Effect, Explanations, Start, ratios};
-use super::facts::Facts;
 use crate::model::chain::Transfer;
+use crate::model::effect::{Effect, Explanations, Start, ratios};
+use crate::model::facts::Facts;
 use crate::model::row::Row;
 use calib_effects::{Entry, dut, mount, reference};
 use num_complex::Complex64;

@@ -1,9 +1,9 @@
 //! Nonlinear moving parts of the exciter.
 
-use super::effect::{Effect, Explanations, Start, ratios};
-use super::facts::Facts;
 use super::mount::FREE_FALL_MS2;
 use crate::model::chain::Chain;
+use crate::model::effect::{Effect, Explanations, Start, ratios};
+use crate::model::facts::Facts;
 use crate::model::row::Row;
 use calib_effects::{Entry, Parameter, exciter};
 

@@ -1,8 +1,8 @@
 //! Delays, clocks and coupling between the channels.
 
-use super::effect::{Effect, Explanations, Start};
-use super::facts::Facts;
 use crate::model::chain::Transfer;
+use crate::model::effect::{Effect, Explanations, Start};
+use crate::model::facts::Facts;
 use crate::model::row::Row;
 use calib_effects::{Entry, Parameter, conditioning, digitiser};
 use num_complex::Complex64;

@@ -1,13 +1,13 @@
 //! Explanation of one effect: when data can show it, where a fit starts, and its action on a row.
 
+use super::chain::{Chain, Transfer};
 use super::facts::Facts;
-use crate::model::chain::{Chain, Transfer};
-use crate::model::row::Row;
-use crate::model::scatter::Scatter;
+use super::row::Row;
+use super::scatter::Scatter;
 use calib_effects::{Entry, Parameter};
 
 /// Explanations of a file, in the order in which equals are preferred.
-pub(super) type Explanations = &'static [&'static dyn Effect];
+pub(crate) type Explanations = &'static [&'static dyn Effect];
 
 /// Kind of observable in which an effect shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

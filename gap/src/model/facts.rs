@@ -1,7 +1,7 @@
 //! Facts about a dataset: which effects it can show at all.
 
+use super::row::Row;
 use crate::dataset::ExciterParameters;
-use crate::model::row::Row;
 use crate::observable::{Channel, Group, Observable};
 use crate::thresholds;
 use std::f64::consts::SQRT_2;

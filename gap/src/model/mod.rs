@@ -6,6 +6,7 @@
 //!
 //! ```text
 //! row          a point, prepared; scatter: noise, and what leaks into its components
+//! effect       what an effect does to a row, and when rows can show it (facts)
 //! prediction   what a simulation starts from, and what it says; predict: how it gets there
 //! chain        what effects do to a row; transfers: their linear responses
 //! exciter      linear and bent; balance, friction: at a level; memory: of a row
@@ -18,7 +19,9 @@
 pub(crate) mod balance;
 pub(crate) mod chain;
 mod channels;
+pub(crate) mod effect;
 pub(crate) mod exciter;
+pub(crate) mod facts;
 mod friction;
 mod grid;
 mod held;

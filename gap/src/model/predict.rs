@@ -3,13 +3,13 @@
 use super::balance::Balanced;
 use super::chain::Chain;
 use super::channels::channels;
+use super::effect::Active;
 use super::grid::ln;
 use super::held::Held;
 use super::memory::Recall;
 use super::prediction::{Nominal, Prediction};
 use super::row::Row;
 use super::transfers::Transfers;
-use crate::effects::Active;
 use crate::observable::{Channel, Observable};
 use crate::thresholds;
 

@@ -1,8 +1,8 @@
 //! Linear responses of all effects together.
 
 use super::chain::Transfer;
+use super::effect::Active;
 use super::row::Row;
-use crate::effects::Active;
 
 /// Responses at the frequency of a row and at its orders.
 #[derive(Clone, Copy)]
