@@ -90,7 +90,9 @@ fn gains(rig: &Rig, facts: &Facts) -> impl Iterator<Item = Free> {
         _ => Free::unknown(Nuisance::DriveGain),
     };
     let ratio = facts.ratio.then_some(ratio);
-    ratio.into_iter().chain(facts.drive.then_some(drive))
+    ratio
+        .into_iter()
+        .chain(facts.drive_modulus.then_some(drive))
 }
 
 /// The values of a complete exciter.
@@ -108,7 +110,7 @@ fn gains_of_runs(rig: &Rig, rows: &[Row], facts: &Facts) -> impl Iterator<Item =
         reference_gain,
         dut_gain,
     } = rig.repeatability;
-    let (ratio, drive) = (facts.ratio, facts.drive);
+    let (ratio, drive) = (facts.ratio, facts.drive_modulus);
     let runs = rows.iter().map(|r| r.run).max().unwrap_or(0) + 1;
     (0..runs).flat_map(move |run| {
         let reference = Free::known(Nuisance::RunReference(run), reference_gain);

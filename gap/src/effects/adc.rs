@@ -167,7 +167,7 @@ impl Effect for RangeStep {
         &self.entry().parameters[..2]
     }
     fn applies(&self, facts: &Facts) -> bool {
-        (facts.ratio || (facts.drive && self.channel == 0))
+        (facts.ratio || (facts.drive_modulus && self.channel == 0))
             && !facts.between_v[self.channel].is_empty()
     }
     fn starts(&self, facts: &Facts) -> Vec<Start> {

@@ -161,10 +161,10 @@ impl Effect for ReferenceLevel {
         &reference::LEVEL_NONLINEARITY
     }
     fn alike(&self, facts: &Facts) -> Option<&'static Entry> {
-        (facts.level_varies && !facts.drive).then_some(&dut::LEVEL_NONLINEARITY)
+        (facts.level_varies && !facts.drive_modulus).then_some(&dut::LEVEL_NONLINEARITY)
     }
     fn applies(&self, facts: &Facts) -> bool {
-        facts.level_varies && facts.drive
+        facts.level_varies && facts.drive_modulus
     }
     fn starts(&self, facts: &Facts) -> Vec<Start> {
         vec![Start::signed(vec![0.002 / facts.largest_level_ms2], 0)]
@@ -198,8 +198,8 @@ impl Effect for Slow {
     fn applies(&self, facts: &Facts) -> bool {
         let seen = match self {
             Self::DutTemperature | Self::DutDrift => facts.ratio,
-            Self::ReferenceTemperature | Self::ReferenceDrift => facts.ratio || facts.drive,
-            Self::AmplifierGainDrift => facts.drive,
+            Self::ReferenceTemperature | Self::ReferenceDrift => facts.ratio || facts.drive_modulus,
+            Self::AmplifierGainDrift => facts.drive_modulus,
         };
         seen && if self.follows_temperature() {
             facts.temperature_varies
@@ -237,7 +237,7 @@ impl Effect for WarmUp {
         }
     }
     fn applies(&self, facts: &Facts) -> bool {
-        let seen = facts.ratio || (facts.drive && matches!(self, Self::Reference));
+        let seen = facts.ratio || (facts.drive_modulus && matches!(self, Self::Reference));
         seen && facts.longest_s > FASTEST_S
     }
     fn starts(&self, facts: &Facts) -> Vec<Start> {

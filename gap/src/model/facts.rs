@@ -12,6 +12,8 @@ pub(crate) struct Facts {
     pub(crate) ratio: bool,
     pub(crate) ratio_phase: bool,
     pub(crate) drive: bool,
+    /// Of the drive, its modulus: what a gain shows in.
+    pub(crate) drive_modulus: bool,
     pub(crate) current: bool,
     pub(crate) ref_harmonics: bool,
     pub(crate) dut_harmonics: bool,
@@ -152,6 +154,7 @@ impl Facts {
             ratio: any(Observable::Ratio),
             ratio_phase: any(Observable::RatioPhase),
             drive: any_of(Group::Drive),
+            drive_modulus: any(Observable::Drive),
             current: any_of(Group::Current),
             ref_harmonics: any_of(Group::RefHarmonics),
             dut_harmonics: any_of(Group::DutHarmonics),
