@@ -3,22 +3,29 @@
 use super::truth::Truth;
 use num_complex::Complex64 as C;
 use std::f64::consts::TAU;
+use std::sync::LazyLock;
 
 /// Highest order that is reported.
 pub(crate) const ORDERS: usize = 5;
 /// Samples of a period.
 const SAMPLES: usize = 4096;
+/// Turn of each order at each sample.
+static TURNS: LazyLock<Vec<[C; ORDERS + 1]>> = LazyLock::new(|| {
+    let angle_rad = |k: usize| TAU * (k as f64 + 0.5) / SAMPLES as f64;
+    let turns = |k| std::array::from_fn(|n| C::from_polar(1.0, n as f64 * angle_rad(k)));
+    (0..SAMPLES).map(turns).collect()
+});
 
 /// Complex amplitudes of orders 0..=5 of a waveform behind a static characteristic.
 pub(crate) fn bent(waveform: &[C], characteristic: impl Fn(f64) -> f64) -> Vec<C> {
     let mut orders = vec![C::ZERO; ORDERS + 1];
-    for k in 0..SAMPLES {
-        let angle_rad = TAU * (k as f64 + 0.5) / SAMPLES as f64;
-        let turned = |(n, c): (usize, &C)| (c * C::from_polar(1.0, n as f64 * angle_rad)).re;
-        let value = characteristic(waveform.iter().enumerate().map(turned).sum());
-        for (n, order) in orders.iter_mut().enumerate() {
+    assert!(waveform.len() <= ORDERS + 1, "an order too many");
+    for turns in TURNS.iter() {
+        let turned = waveform.iter().zip(turns).map(|(c, turn)| (c * turn).re);
+        let value = characteristic(turned.sum());
+        for (n, (order, turn)) in orders.iter_mut().zip(turns).enumerate() {
             let share = if n == 0 { 1.0 } else { 2.0 } / SAMPLES as f64;
-            *order += C::from_polar(value, -(n as f64) * angle_rad) * share;
+            *order += turn.conj() * value * share;
         }
     }
     orders

@@ -3,11 +3,22 @@
 use super::series::{HARMONICS, Series};
 use num_complex::Complex64 as C;
 use std::f64::consts::{FRAC_2_PI, TAU};
+use std::sync::LazyLock;
 
-/// Points of the grid on which a clipped sine is analysed.
-const GRID: usize = 2000;
+/// Highest order that an amplifier adds.
+const HIGHEST: usize = 11;
+/// Cosines of all orders on a grid of a period.
+type Grid = [Vec<f64>; HIGHEST + 1];
+/// The grid on which a clipped sine is analysed.
+static GRID: LazyLock<Grid> = LazyLock::new(|| grid(2000));
 /// Of one that is bent smoothly: its orders fall exponentially.
-const SMOOTH_GRID: usize = 96;
+static SMOOTH_GRID: LazyLock<Grid> = LazyLock::new(|| grid(96));
+
+fn grid(points: usize) -> Grid {
+    let angle_rad = |k: usize| TAU * (k as f64 + 0.5) / points as f64;
+    let of_order = |n: usize| move |k: usize| (n as f64 * angle_rad(k)).cos();
+    std::array::from_fn(|n| (0..points).map(of_order(n)).collect())
+}
 
 #[derive(Clone, Copy)]
 pub(crate) struct Amplifier {
@@ -36,7 +47,7 @@ impl Amplifier {
                 true => limit_v * FRAC_2_PI * (v / limit_v / FRAC_2_PI).atan(),
                 false => limit_v * (v / limit_v).tanh(),
             };
-            add_orders::<SMOOTH_GRID>(&mut series, bent);
+            add_orders(&SMOOTH_GRID, &mut series, bent);
         }
         series
     }
@@ -48,27 +59,27 @@ fn clip(series: &mut [C], limit_v: f64) {
     if peak_v <= 0.999 * limit_v {
         return;
     }
-    add_orders::<GRID>(series, |v| v.clamp(-limit_v, limit_v));
+    add_orders(&GRID, series, |v| v.clamp(-limit_v, limit_v));
 }
 
 /// Adds the odd orders of a sine behind a characteristic that has the fundamental of the series there.
-fn add_orders<const POINTS: usize>(series: &mut [C], bent: impl Fn(f64) -> f64) {
+fn add_orders(grid: &Grid, series: &mut [C], bent: impl Fn(f64) -> f64) {
     let peak_v = series[1].norm();
-    let before_v = before_bending::<POINTS>(peak_v, &bent);
+    let before_v = before_bending(grid, peak_v, &bent);
     if before_v > peak_v * 1.000_000_1 {
         let direction = series[1] / peak_v;
-        for n in [3, 5, 7, 9, 11] {
-            series[n] += direction.powu(n as u32) * bent_order::<POINTS>(before_v, &bent, n);
+        for n in (3..=HIGHEST).step_by(2) {
+            series[n] += direction.powu(n as u32) * bent_order(grid, before_v, &bent, n);
         }
     }
 }
 
 /// Peak of the sine that has a given fundamental once it is bent, by bisection.
-fn before_bending<const POINTS: usize>(peak_v: f64, bent: &impl Fn(f64) -> f64) -> f64 {
+fn before_bending(grid: &Grid, peak_v: f64, bent: &impl Fn(f64) -> f64) -> f64 {
     let (mut low, mut high) = (peak_v, 40.0 * peak_v);
     for _ in 0..50 {
         let middle = 0.5 * (low + high);
-        match bent_order::<POINTS>(middle, bent, 1) < peak_v {
+        match bent_order(grid, middle, bent, 1) < peak_v {
             true => low = middle,
             false => high = middle,
         }
@@ -77,10 +88,8 @@ fn before_bending<const POINTS: usize>(peak_v: f64, bent: &impl Fn(f64) -> f64) 
 }
 
 /// Amplitude of an order of a cosine behind a characteristic.
-fn bent_order<const POINTS: usize>(peak_v: f64, bent: &impl Fn(f64) -> f64, n: usize) -> f64 {
-    let term = |k: usize| {
-        let angle_rad = TAU * (k as f64 + 0.5) / POINTS as f64;
-        bent(peak_v * angle_rad.cos()) * (n as f64 * angle_rad).cos()
-    };
-    (0..POINTS).map(term).sum::<f64>() * 2.0 / POINTS as f64
+fn bent_order(grid: &Grid, peak_v: f64, bent: &impl Fn(f64) -> f64, n: usize) -> f64 {
+    let points = grid[1].iter().zip(&grid[n]);
+    let terms = points.map(|(first, order)| bent(peak_v * first) * order);
+    terms.sum::<f64>() * 2.0 / grid[n].len() as f64
 }

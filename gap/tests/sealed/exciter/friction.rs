@@ -23,7 +23,7 @@ pub(super) fn friction_force(
     let higher: Vec<C> = (HARMONICS + 1..=HIGHEST).map(mobility).collect();
     let rough = turns.clone();
     for _ in 0..2 {
-        let missing = |angle: f64| missing(friction_n, &turns, &higher, angle);
+        let missing = missing(friction_n, &turns, &higher);
         let moved = rough.iter().map(|(angle, sign)| {
             let step = missing(*angle) / slope(travel, *angle);
             (angle - step, *sign)
@@ -37,29 +37,30 @@ pub(super) fn friction_force(
 
 /// One order of a force that has these signs from these angles on.
 fn force_order(friction_n: f64, turns: &[(f64, f64)], n: usize) -> C {
-    let piece = |(k, (from, sign)): (usize, &(f64, f64))| {
-        let to = turns.get(k + 1).map_or(turns[0].0 + TAU, |next| next.0);
-        let order = n as f64;
-        match n {
-            0 => C::from(friction_n * sign * (to - from) / TAU),
-            _ => {
-                let ends = C::from_polar(1.0, -order * to) - C::from_polar(1.0, -order * from);
-                ends / C::new(0.0, -order) * (friction_n * sign / PI)
-            }
-        }
+    let order = n as f64;
+    let last = turns.first().map(|(from, _)| from + TAU);
+    let ends = turns.iter().map(|(from, _)| *from).chain(last);
+    let ends = ends.map(|angle| (angle, C::from_polar(1.0, -order * angle)));
+    let ends: Vec<(f64, C)> = ends.collect();
+    let piece = |(ends, (_, sign)): (&[(f64, C)], &(f64, f64))| match (n, ends[0], ends[1]) {
+        (0, (from, _), (to, _)) => C::from(friction_n * sign * (to - from) / TAU),
+        (_, (_, from), (_, to)) => (to - from) / C::new(0.0, -order) * (friction_n * sign / PI),
     };
-    turns.iter().enumerate().map(piece).sum()
+    ends.windows(2).zip(turns).map(piece).sum()
 }
 
-/// Velocity over the angular frequency of the orders that are not in the series.
-fn missing(friction_n: f64, turns: &[(f64, f64)], higher: &[C], angle: f64) -> f64 {
+/// Velocity over the angular frequency, at an angle, of the orders that are not in the series.
+fn missing(friction_n: f64, turns: &[(f64, f64)], higher: &[C]) -> impl Fn(f64) -> f64 + use<> {
     let orders = (HARMONICS + 1..).zip(higher);
-    orders
-        .map(|(n, mobility)| {
-            let travel = -force_order(friction_n, turns, n) * mobility;
-            (travel * C::new(0.0, n as f64) * C::from_polar(1.0, n as f64 * angle)).re
-        })
-        .sum()
+    let velocity = orders.map(|(n, mobility)| {
+        let travel = -force_order(friction_n, turns, n) * mobility;
+        (n as f64, travel * C::new(0.0, n as f64))
+    });
+    let velocity: Vec<(f64, C)> = velocity.collect();
+    move |angle| {
+        let turned = |(n, c): &(f64, C)| (c * C::from_polar(1.0, n * angle)).re;
+        velocity.iter().map(turned).sum()
+    }
 }
 
 /// Derivative of the velocity over the angular frequency by the angle.
