@@ -11,7 +11,7 @@
 use crate::closing::Closing;
 use crate::point::{PointResult, PointSpec};
 use crate::point_state::PointState;
-use crate::points::{REFERENCE_HZ, REFERENCE_MS2};
+use crate::preferred::{REFERENCE_HZ, REFERENCE_MS2};
 use crate::stored_list::{Band, Base, ListTerms, Rule};
 
 /// A hundredth of an octave, as a ratio: omega = 1000 rad/s and 500 rad/s count as 160 Hz and 80 Hz.

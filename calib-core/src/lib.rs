@@ -31,6 +31,7 @@ pub mod point;
 pub mod point_state;
 pub mod points;
 pub mod polarity;
+pub mod preferred;
 pub mod quantity;
 pub mod reference;
 pub mod requirements;

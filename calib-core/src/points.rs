@@ -4,31 +4,11 @@ use crate::control::limits::check_level;
 use crate::point::PointSpec;
 use crate::point_state::Reason;
 use crate::polarity::wrap;
+use crate::preferred::{PREFERRED_HZ, REFERENCE_HZ};
 use crate::settings::Settings;
 use crate::tone::Tone;
 use core::f32::consts::SQRT_2;
 use heapless::Vec;
-
-/// One-third-octave midband frequencies of ISO 266 from 5 Hz to 10 kHz, Hz.
-pub const PREFERRED_HZ: [f32; 34] = [
-    5.0, 6.3, 8.0, 10.0, 12.5, 16.0, 20.0, 25.0, 31.5, 40.0, 50.0, 63.0, 80.0, 100.0, 125.0, 160.0,
-    200.0, 250.0, 315.0, 400.0, 500.0, 630.0, 800.0, 1000.0, 1250.0, 1600.0, 2000.0, 2500.0,
-    3150.0, 4000.0, 5000.0, 6300.0, 8000.0, 10_000.0,
-];
-
-/// Reference frequencies in the order 5.3 prefers them, Hz.
-pub const REFERENCE_HZ: [f32; 2] = [160.0, 80.0];
-
-/// Preferred accelerations 1, 2, 5 times powers of ten (5.1), m/s2.
-pub const LEVELS_MS2: [f32; 13] = [
-    0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0,
-];
-
-/// Reference accelerations in the order 5.3 prefers them, m/s2.
-pub const REFERENCE_MS2: [f32; 4] = [100.0, 10.0, 20.0, 50.0];
-
-/// Fewest points a calibration should have (5.1).
-pub const FEWEST_POINTS: usize = 6;
 
 /// Default range of a field calibration, Hz.
 const DEFAULT_RANGE_HZ: (f32, f32) = (20.0, 10_000.0);
@@ -113,6 +93,7 @@ pub fn default_points() -> PointList {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::preferred::FEWEST_POINTS;
 
     #[test]
     fn what_an_instrument_cannot_measure_is_known_before() {

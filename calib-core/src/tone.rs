@@ -65,7 +65,7 @@ impl Tone {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::points::PREFERRED_HZ;
+    use crate::preferred::PREFERRED_HZ;
 
     #[test]
     fn every_preferred_frequency_is_within_a_hundredth_of_a_percent() {

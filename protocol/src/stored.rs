@@ -246,7 +246,7 @@ mod tests {
     }
 
     fn one_third_octaves() -> Vec<PointResult, MAX_POINTS> {
-        let list = calib_core::points::PREFERRED_HZ.iter().skip(3).take(31);
+        let list = calib_core::preferred::PREFERRED_HZ.iter().skip(3).take(31);
         (1..).zip(list).map(|(seed, hz)| point(*hz, seed)).collect()
     }
 

@@ -8,7 +8,7 @@ use calib_core::closing::Closing;
 use calib_core::conformity::{Conformity, judge};
 use calib_core::point::{PointResult, PointSpec};
 use calib_core::point_state::{PointState, Reason};
-use calib_core::points::{LEVELS_MS2, PREFERRED_HZ};
+use calib_core::preferred::{LEVELS_MS2, PREFERRED_HZ};
 use calib_core::settings::Settings;
 use calib_core::stored_list::{Band, Base, ListTerms, Rule};
 use calib_core::tone::Tone;

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::converter::Width;
-use crate::points::PREFERRED_HZ;
+use crate::preferred::PREFERRED_HZ;
 use crate::tone::Tone;
 use num_complex::Complex32;
 

@@ -1,7 +1,7 @@
 //! The generator's codes against the ideal sine, in f64.
 
 use super::*;
-use crate::points::PREFERRED_HZ;
+use crate::preferred::PREFERRED_HZ;
 
 const RATE_HZ: f32 = 50_000.0;
 const TWELVE_BITS: Width = Width::of_bits(12);

@@ -6,7 +6,7 @@ use super::{
 };
 use crate::channel_ratio::ChannelRatio;
 use crate::converter::Converters;
-use crate::points::PREFERRED_HZ;
+use crate::preferred::PREFERRED_HZ;
 use heapless::{String, Vec};
 
 /// Sensitivity of the built-in reference with its conditioner, V/(m/s2).

@@ -2,7 +2,7 @@
 
 use calib_core::control::full_output_peak_ms2;
 use calib_core::point::PointSpec;
-use calib_core::points::PREFERRED_HZ;
+use calib_core::preferred::PREFERRED_HZ;
 use calib_core::settings::Limits;
 use calib_twin::dataset::Exciter;
 use std::f32::consts::FRAC_1_SQRT_2;

@@ -3,7 +3,7 @@
 use super::sizes::{Sizes, unit};
 use crate::rigged::point;
 use calib_core::point::{PointResult, PointSpec};
-use calib_core::points::PREFERRED_HZ;
+use calib_core::preferred::PREFERRED_HZ;
 use calib_twin::Complex;
 use calib_twin::effects::ActiveEffect;
 use calib_twin::effects::fault::{ActiveFault, FaultEffect};

@@ -4,7 +4,7 @@
 use super::flash::MockFlash;
 use calib_core::point::{PointResult, PointSpec};
 use calib_core::point_state::{PointState, Reason};
-use calib_core::points::PREFERRED_HZ;
+use calib_core::preferred::PREFERRED_HZ;
 use calib_core::settings::Settings;
 use calib_core::stored_list::StoredLists;
 use calib_core::tone::Tone;

@@ -4,7 +4,7 @@
 //! ISO 16063-21:2003 5.1 and 5.3; ISO 266 for the frequencies.
 
 use crate::input::HIGHEST_HZ;
-use calib_core::points::{FEWEST_POINTS, REFERENCE_HZ, REFERENCE_MS2};
+use calib_core::preferred::{FEWEST_POINTS, REFERENCE_HZ, REFERENCE_MS2};
 use calib_files::{Error, Result};
 use calib_protocol::record::MAX_POINTS;
 use schemars::JsonSchema;

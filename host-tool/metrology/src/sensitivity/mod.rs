@@ -24,8 +24,9 @@ pub use reading::{Reading, Values};
 pub use report::report;
 
 use calib_core::point_state::Reason;
-use calib_core::points::{REFERENCE_HZ, deviation};
+use calib_core::points::deviation;
 use calib_core::polarity::Polarity;
+use calib_core::preferred::REFERENCE_HZ;
 use calib_core::settings::Example;
 use calib_output::{StateView, code};
 use schemars::JsonSchema;
