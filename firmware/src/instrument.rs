@@ -2,8 +2,8 @@
 
 use crate::identity::Identity;
 use crate::self_test::{self, SelfTest};
+use crate::shared_archive::SharedArchive;
 use crate::state::{self, Order, Run};
-use crate::tasks::store::SharedArchive;
 use crate::update;
 use calib_core::conformity::Conformity;
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};

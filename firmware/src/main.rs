@@ -25,6 +25,8 @@ mod retained;
 #[cfg(target_os = "none")]
 mod self_test;
 #[cfg(target_os = "none")]
+mod shared_archive;
+#[cfg(target_os = "none")]
 mod start;
 #[cfg(target_os = "none")]
 mod state;

@@ -3,9 +3,9 @@
 use crate::board::{Board, Digitiser, Exciter, NAME, option_bytes, usb_port};
 use crate::identity::Identity;
 use crate::instrument::Calibrator;
+use crate::shared_archive::SharedArchive;
 use crate::state;
 use crate::tasks::acquire::Block;
-use crate::tasks::store::SharedArchive;
 use crate::tasks::{acquire, drive, link, measure, store, supervise, thermometer, timebase};
 use crate::timing::turns_of;
 use calib_core::self_test::BROWN_OUT_LEVEL;

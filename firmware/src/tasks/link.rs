@@ -5,7 +5,7 @@ use crate::board::{
     run_usb, silence_now,
 };
 use crate::instrument::Calibrator;
-use crate::tasks::store::SharedArchive;
+use crate::shared_archive::SharedArchive;
 use crate::{retained, state};
 use calib_firmware::lease::Lease;
 use calib_firmware::link::{Aftermath, Link};
@@ -275,7 +275,7 @@ async fn reset(archive: &SharedArchive) -> ! {
     silence_now();
     Timer::after(ANSWER_OUT).await;
     // Kept to the end, so that nothing more is begun.
-    let _at_rest = with_timeout(STORED, archive.rest()).await;
+    let _at_rest = with_timeout(STORED, archive.hold()).await;
     retained::leave(Way::Asked, Reason::new());
     restart()
 }
