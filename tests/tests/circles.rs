@@ -1,4 +1,5 @@
-//! No circle between the files of a crate: what a file needs, however indirectly, does not need that file.
+//! No circle between the files of a crate, and none between its folders: what one needs, however indirectly, does
+//! not need it.
 //!
 //! A file needs another where it names something the other defines, also through a `pub use`. Words of macros and
 //! what is there for tests alone do not count, and methods do not show: `impl` blocks may lie in a file of their own.
@@ -102,24 +103,51 @@ impl Crate {
         needs
     }
 
-    /// Each need that is part of a circle.
-    fn circles(&self) -> Vec<String> {
-        let needs = self.needs();
-        let reaches = |from: &PathBuf, to: &PathBuf| {
-            let (mut reached, mut open) = (BTreeSet::new(), vec![from]);
-            while let Some(next) = open.pop() {
-                let new = needs.get(next).into_iter().flatten();
-                open.extend(new.filter(|file| reached.insert(**file)));
+    /// The same between rooms: of each two files, the file or folder of either in the folder that has both.
+    fn needs_of_rooms(&self) -> BTreeMap<PathBuf, BTreeSet<PathBuf>> {
+        let mut needs: BTreeMap<_, BTreeSet<_>> = BTreeMap::new();
+        for (from, all) in self.needs() {
+            for to in all {
+                // A module's file and its folder are one room.
+                let names = [from, to].map(|file| file.with_extension(""));
+                let both = names[0].iter().zip(&names[1]);
+                let depth = both.take_while(|(a, b)| a == b).count() + 1;
+                let [from, to] = names.map(|name| name.iter().take(depth).collect());
+                needs.entry(from).or_default().insert(to);
             }
-            reached.contains(to)
-        };
-        let all = needs
-            .iter()
-            .flat_map(|(from, to)| to.iter().map(move |to| (*from, *to)));
-        let of_circles = all.filter(|(from, to)| reaches(to, from));
-        let said = of_circles.map(|(from, to)| format!("{} -> {}", from.display(), to.display()));
-        said.collect()
+        }
+        needs
     }
+
+    /// Each need that is part of a circle: between files, or where there is none, between rooms.
+    fn circles(&self) -> Vec<String> {
+        let own = |(from, all): (&PathBuf, BTreeSet<&PathBuf>)| {
+            (from.clone(), all.into_iter().cloned().collect())
+        };
+        let of_files = circles(&self.needs().into_iter().map(own).collect());
+        match of_files.is_empty() {
+            true => circles(&self.needs_of_rooms()),
+            false => of_files,
+        }
+    }
+}
+
+/// Each need that is part of a circle.
+fn circles(needs: &BTreeMap<PathBuf, BTreeSet<PathBuf>>) -> Vec<String> {
+    let reaches = |from: &PathBuf, to: &PathBuf| {
+        let (mut reached, mut open) = (BTreeSet::new(), vec![from]);
+        while let Some(next) = open.pop() {
+            let new = needs.get(next).into_iter().flatten();
+            open.extend(new.filter(|file| reached.insert(*file)));
+        }
+        reached.contains(to)
+    };
+    let all = needs
+        .iter()
+        .flat_map(|(from, to)| to.iter().map(move |to| (from, to)));
+    let of_circles = all.filter(|(from, to)| reaches(to, from));
+    let said = of_circles.map(|(from, to)| format!("{} -> {}", from.display(), to.display()));
+    said.collect()
 }
 
 /// Collects what a file names.
@@ -306,7 +334,7 @@ fn roots() -> Vec<PathBuf> {
 }
 
 #[test]
-fn no_file_needs_one_that_needs_it() {
+fn no_file_or_folder_needs_one_that_needs_it() {
     let roots = roots();
     assert!(roots.len() >= 25, "{roots:?}");
     let source = |file: &Path| std::fs::read_to_string(file).ok();
@@ -368,4 +396,19 @@ fn a_planted_circle_is_found() {
         ("c/d.rs", "use super::Early; pub struct Part;"),
     ];
     assert_eq!(planted(&child), ["c/d.rs -> c.rs", "c.rs -> c/d.rs"]);
+}
+
+#[test]
+fn a_circle_of_folders_is_found_where_no_file_is_in_one() {
+    let found = planted(&[
+        ("lib.rs", "mod a; mod b;"),
+        ("a/mod.rs", "mod early; mod late;"),
+        ("a/early.rs", "pub struct Early;"),
+        ("a/late.rs", "use crate::b::First; pub struct Late(First);"),
+        (
+            "b.rs",
+            "use crate::a::early::Early; pub struct First(Early);",
+        ),
+    ]);
+    assert_eq!(found, ["a -> b", "b -> a"]);
 }
