@@ -221,7 +221,7 @@ mod tests {
     use calib_protocol::capture::CapturePart;
     use calib_protocol::health::Health;
     use calib_protocol::lists::{KeptList, ListChange};
-    use calib_protocol::message::{Info, ResetCause, RunSpec, SettingsChange, Status};
+    use calib_protocol::message::{Info, RunSpec, SettingsChange, Status};
     use calib_protocol::record::RunLabels;
     use calib_protocol::signature::DeviceKey;
     use calib_protocol::update::{RunningImage, UpdateStep};
@@ -245,16 +245,7 @@ mod tests {
         fn info(&mut self) -> Info {
             Info {
                 protocol_version: frame::PROTOCOL_VERSION,
-                firmware_version: heapless::String::new(),
-                git_hash: heapless::String::new(),
-                serial: heapless::String::new(),
-                sample_rate_hz: 50_000.0,
-                reset_cause: ResetCause::PowerOn,
-                last_panic: None,
-                records: 0,
-                uptime_ms: 0,
-                stack_unused_bytes: 0,
-                instrument_temperature_c: None,
+                ..Info::default()
             }
         }
         fn health(&mut self) -> Health {

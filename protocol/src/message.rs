@@ -327,8 +327,8 @@ pub struct RunSpec {
     pub labels: RunLabels,
 }
 
-/// Identity and health of the calibrator.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+/// Identity of the calibrator, and how it is.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Info {
     /// [`crate::frame::PROTOCOL_VERSION`] of the firmware.
     pub protocol_version: u16,
@@ -357,7 +357,7 @@ pub struct Info {
 }
 
 /// Why the board started.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum ResetCause {
     /// Power was switched on, or came back.
     PowerOn,
@@ -370,6 +370,7 @@ pub enum ResetCause {
     /// Supply voltage too low.
     BrownOut,
     /// None of these.
+    #[default]
     Other,
 }
 
@@ -456,16 +457,7 @@ mod tests {
     fn info(protocol_version: u16) -> Info {
         Info {
             protocol_version,
-            firmware_version: String::new(),
-            git_hash: String::new(),
-            serial: String::new(),
-            sample_rate_hz: 50_000.0,
-            reset_cause: ResetCause::Pin,
-            last_panic: None,
-            records: 0,
-            uptime_ms: 0,
-            stack_unused_bytes: 0,
-            instrument_temperature_c: None,
+            ..Info::default()
         }
     }
 

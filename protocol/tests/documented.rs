@@ -8,9 +8,7 @@ use calib_protocol::capture::{CAPTURE_CHUNK_PAIRS, CapturePart, MAX_CAPTURE_PAIR
 use calib_protocol::frame::{Frame, MAX_FRAME, MAX_MESSAGE, PROTOCOL_VERSION, encode};
 use calib_protocol::health::{Defects, Health};
 use calib_protocol::lists::ListChange;
-use calib_protocol::message::{
-    Info, RECORD_CHUNK, Refusal, Request, ResetCause, Response, RunSpec, Status,
-};
+use calib_protocol::message::{Info, RECORD_CHUNK, Refusal, Request, Response, RunSpec, Status};
 use calib_protocol::record::{MAX_POINTS, RECORD_VERSION, RunLabels};
 use calib_protocol::update::{UPDATE_CHUNK, UpdateStep};
 use serde::Serialize;
@@ -211,16 +209,7 @@ fn expect_no_more<T: DeserializeOwned>(number: usize) {
 fn info() -> Info {
     Info {
         protocol_version: PROTOCOL_VERSION,
-        firmware_version: heapless::String::new(),
-        git_hash: heapless::String::new(),
-        serial: heapless::String::new(),
-        sample_rate_hz: 0.0,
-        reset_cause: ResetCause::Other,
-        last_panic: None,
-        records: 0,
-        uptime_ms: 0,
-        stack_unused_bytes: 0,
-        instrument_temperature_c: None,
+        ..Info::default()
     }
 }
 

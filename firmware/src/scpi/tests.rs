@@ -13,8 +13,7 @@ use calib_protocol::frame::{self, Frame, MAX_FRAME};
 use calib_protocol::health::{Defect, Defects, Health};
 use calib_protocol::lists::{KeptList, ListChange};
 use calib_protocol::message::{
-    Info, RECORD_CHUNK, Refusal, Request, ResetCause, Response, RunSpec, RunState, SettingsChange,
-    Status,
+    Info, RECORD_CHUNK, Refusal, Request, Response, RunSpec, RunState, SettingsChange, Status,
 };
 use calib_protocol::record::{RecordKind, RecordSummary};
 use calib_protocol::signature::DeviceKey;
@@ -77,13 +76,7 @@ impl Instrument for Rigged {
             firmware_version: "1.2.3".try_into().expect("short"),
             git_hash: "0".try_into().expect("short"),
             serial: "A7".try_into().expect("short"),
-            sample_rate_hz: 50_000.0,
-            reset_cause: ResetCause::PowerOn,
-            last_panic: None,
-            records: 0,
-            uptime_ms: 0,
-            stack_unused_bytes: 0,
-            instrument_temperature_c: None,
+            ..Info::default()
         }
     }
     fn health(&mut self) -> Health {

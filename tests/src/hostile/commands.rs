@@ -14,9 +14,7 @@ use calib_protocol::capture::CapturePart;
 use calib_protocol::frame::{Frame, PROTOCOL_VERSION};
 use calib_protocol::health::Health;
 use calib_protocol::lists::{KeptList, ListChange};
-use calib_protocol::message::{
-    Info, Refusal, Request, ResetCause, Response, RunSpec, SettingsChange, Status,
-};
+use calib_protocol::message::{Info, Refusal, Request, Response, RunSpec, SettingsChange, Status};
 use calib_protocol::signature::DeviceKey;
 use calib_protocol::update::{RunningImage, UpdateStep};
 use std::future::Future;
@@ -231,16 +229,8 @@ impl Notes {
 pub fn info() -> Info {
     Info {
         protocol_version: PROTOCOL_VERSION,
-        firmware_version: heapless::String::new(),
-        git_hash: heapless::String::new(),
-        serial: heapless::String::new(),
         sample_rate_hz: 50_000.0,
-        reset_cause: ResetCause::PowerOn,
-        last_panic: None,
-        records: 0,
-        uptime_ms: 0,
-        stack_unused_bytes: 0,
-        instrument_temperature_c: None,
+        ..Info::default()
     }
 }
 
