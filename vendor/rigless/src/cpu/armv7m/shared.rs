@@ -21,8 +21,8 @@ pub(crate) const COUNTER: u32 = 1;
 /// The number of the first exit's cell; those after it follow.
 pub(crate) const CELLS: u32 = 2;
 
-/// The most translations that are kept: about 30 MB of them.
-const MOST: usize = 1 << 15;
+/// The most translations that are kept: about 120 MB of them.
+const MOST: usize = 1 << 17;
 
 /// How a block is to be translated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
