@@ -48,6 +48,8 @@ pub fn render(template: &str, files: &[File<'_>], identifier: &str) -> Result<Ve
         .fonts(fonts::all().iter().cloned())
         .with_static_source_file_resolver([(MAIN, template)])
         .with_static_file_resolver(files.iter().map(|file| (file.name, file.bytes)))
+        // What one document needed is there for the next: a signed one is set twice, with another DCC inside.
+        .comemo_evict_max_age(Some(1))
         .build();
     let compiled = engine.compile::<_, PagedDocument>(MAIN).output;
     let document = compiled.map_err(|error| located(template, &error))?;
