@@ -46,7 +46,7 @@ pub(crate) fn run(filter: &[String]) -> Result<()> {
         program.args(filter).envs(surroundings.iter().cloned());
         programs.push(program);
     }
-    run_in_pairs(programs)?;
+    run_together(programs)?;
     if filter.is_empty() {
         shell::run(cargo("test").args(["--release", "--workspace", "--doc", "--quiet"]))?;
         lint()?;
@@ -77,9 +77,12 @@ fn surroundings(
     Ok(all)
 }
 
-/// Runs all to their ends, two at a time: each leaves a core idle while it waits for a calibrator whose time passes as
-/// on a clock, for a disk, or for its last test.
-fn run_in_pairs(programs: Vec<Command>) -> Result<()> {
+/// Programs that run at a time, each with a test per core: one waits for a calibrator whose time passes as on a clock,
+/// for a browser or for a disk while the others compute.
+const AT_A_TIME: usize = 3;
+
+/// Runs all to their ends.
+fn run_together(programs: Vec<Command>) -> Result<()> {
     let queue = Mutex::new(programs.into_iter());
     let next = || queue.lock().ok()?.next();
     let lane = || -> Vec<anyhow::Error> {
@@ -87,12 +90,13 @@ fn run_in_pairs(programs: Vec<Command>) -> Result<()> {
         each.filter_map(|mut program| shell::run(&mut program).err())
             .collect()
     };
-    let failed = std::thread::scope(|scope| {
-        let other = scope.spawn(lane);
-        let mut failed = lane();
-        let panicked = |_| vec![anyhow!("what runs programs panicked")];
-        failed.extend(other.join().unwrap_or_else(panicked));
-        failed
+    let panicked = |_| vec![anyhow!("what runs programs panicked")];
+    let failed: Vec<anyhow::Error> = std::thread::scope(|scope| {
+        let lanes = [(); AT_A_TIME].map(|()| scope.spawn(lane));
+        let ended = lanes.into_iter().map(|lane| lane.join());
+        ended
+            .flat_map(|lane| lane.unwrap_or_else(panicked))
+            .collect()
     });
     for error in &failed {
         eprintln!("{error:#}");
@@ -196,9 +200,9 @@ mod tests {
             command
         };
         let all = ["exit 3", "touch first", "exit 1", "touch second"].map(shell);
-        let failed = run_in_pairs(all.into()).expect_err("two fail");
+        let failed = run_together(all.into()).expect_err("two fail");
         assert_eq!(failed.to_string(), "2 test programs failed");
         assert!(["first", "second"].map(|name| folder.path().join(name).exists()) == [true; 2]);
-        run_in_pairs(vec![shell("true")]).expect("none fails");
+        run_together(vec![shell("true")]).expect("none fails");
     }
 }
