@@ -245,6 +245,7 @@ mod tests {
         fn info(&mut self) -> Info {
             Info {
                 protocol_version: frame::PROTOCOL_VERSION,
+                sample_rate_hz: 50_000.0,
                 ..Info::default()
             }
         }

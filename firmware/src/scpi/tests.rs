@@ -76,6 +76,7 @@ impl Instrument for Rigged {
             firmware_version: "1.2.3".try_into().expect("short"),
             git_hash: "0".try_into().expect("short"),
             serial: "A7".try_into().expect("short"),
+            sample_rate_hz: 50_000.0,
             ..Info::default()
         }
     }
