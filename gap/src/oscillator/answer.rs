@@ -180,23 +180,23 @@ fn trace(held: &Run, [before, after]: [Vec<f64>; 2]) -> Pictures {
 
 /// Resonance, damping, gain and offset; no gain where nothing drives the oscillator.
 pub(super) fn linear_parameters(fit: &Fitted, driven: bool) -> BTreeMap<&'static str, Estimate> {
-    let of = |parameter: Parameter, row: usize| Estimate {
+    let of = |parameter: Parameter| Estimate {
         value: fit.values[parameter],
-        u: fit.covariance[(row, row)].sqrt(),
+        u: fit.covariance_of(parameter, parameter).sqrt(),
     };
     let resonance_hz = fit.values.resonance_hz();
-    let ln_resonance = of(Parameter::LnResonance, 0);
+    let ln_resonance = of(Parameter::LnResonance);
     let resonance = Estimate {
         value: resonance_hz,
         u: resonance_hz * ln_resonance.u,
     };
     let mut values = BTreeMap::from([
         ("resonance_hz", resonance),
-        ("delta", of(Parameter::Delta, 1)),
-        ("offset", of(Parameter::Offset, 3)),
+        ("delta", of(Parameter::Delta)),
+        ("offset", of(Parameter::Offset)),
     ]);
     if driven {
-        values.insert("gain", of(Parameter::Gain, 2));
+        values.insert("gain", of(Parameter::Gain));
     }
     values
 }

@@ -1,8 +1,8 @@
 //! Least squares of the simulated against the recorded output.
 
 use super::channel;
-use super::model::free;
-use super::parameters::{OscillatorParameters, Parameter, bound, slope_step};
+use super::model::{TERMS, free};
+use super::parameters::{LINEAR, OscillatorParameters, Parameter, bound, slope_step};
 use super::run::{REACH, Run};
 use super::simulate::simulate;
 use crate::estimation::column::{Column, OneBlock};
@@ -39,6 +39,17 @@ impl Fitted {
         let (here, there) = (simulate(&self.values, run)?, simulate(&self.values, finer)?);
         let off: Vec<f64> = here.iter().zip(&there).map(|(a, b)| a - b).collect();
         Some(rms(compared(&off, run)))
+    }
+
+    /// Covariance of two values, of the linear oscillator or of terms in use; NaN of others.
+    pub(super) fn covariance_of(&self, one: Parameter, other: Parameter) -> f64 {
+        let row = |wanted: Parameter| {
+            let of_terms = self.terms.iter().flat_map(|term| TERMS[*term].values);
+            let mut fitted = LINEAR.iter().chain(of_terms);
+            fitted.position(|parameter| *parameter == wanted)
+        };
+        let place = row(one).zip(row(other));
+        place.map_or(f64::NAN, |place| self.covariance[place])
     }
 }
 

@@ -3,7 +3,7 @@
 use super::fit::{Fitted, residual};
 use super::lack_of_fit::Left;
 use super::model::TERMS;
-use super::parameters::{LINEAR, Parameter};
+use super::parameters::Parameter;
 use super::run::Run;
 use crate::answer::{Cause, Estimate};
 use crate::estimation::selection::{bootstrap, cost_of_cause, cost_of_parameter, probabilities};
@@ -141,45 +141,49 @@ fn term_parameters(
     fit: &Fitted,
     interval_s: f64,
 ) -> BTreeMap<&'static str, BTreeMap<&'static str, Estimate>> {
-    let mut row = LINEAR.len();
     let mut all = BTreeMap::new();
     for term in fit.terms.iter().map(|t| &TERMS[*t]) {
         let mut values = BTreeMap::new();
         for (stated, parameter) in term.entry.parameters.iter().zip(term.values) {
-            values.insert(stated.name, estimate(fit, *parameter, row, interval_s));
-            row += 1;
+            values.insert(stated.name, estimate(fit, *parameter, interval_s));
         }
         all.insert(term.entry.id, values);
     }
     all
 }
 
-/// A value of a term in the unit it is stated in; `row` is its row in the covariance matrix.
-fn estimate(fit: &Fitted, parameter: Parameter, row: usize, interval_s: f64) -> Estimate {
-    let (value, c) = (fit.values[parameter], &fit.covariance);
-    let variance = c[(row, row)];
+/// A value of a term in the unit it is stated in.
+fn estimate(fit: &Fitted, parameter: Parameter, interval_s: f64) -> Estimate {
+    let value = fit.values[parameter];
+    let beside = |other| fit.covariance_of(other, parameter);
+    let of = |other| fit.covariance_of(other, other);
+    let variance = of(parameter);
     // A value that is fitted as its logarithm is known relatively.
     let relative = |value: f64, variance: f64| (value, value * variance.max(0.0).sqrt());
     let (value, u) = match parameter {
         Parameter::ModeLnRatio => {
             // Fitted as ln of the ratio to w0, which is fitted itself.
             let mode_hz = fit.values.resonance_hz() * value.exp();
-            relative(mode_hz, variance + c[(0, 0)] + 2.0 * c[(0, row)])
+            relative(
+                mode_hz,
+                variance + of(Parameter::LnResonance) + 2.0 * beside(Parameter::LnResonance),
+            )
         }
         Parameter::QuadraticDamping | Parameter::CubicDamping => {
             // Stated relative to the linear damping, 2 delta, which is fitted itself.
             let linear = 2.0 * fit.values[Parameter::Delta];
             let (own, of_delta) = (1.0 / linear, -2.0 * value / (linear * linear));
             let variance = own * own * variance
-                + of_delta * of_delta * c[(1, 1)]
-                + 2.0 * own * of_delta * c[(1, row)];
+                + of_delta * of_delta * of(Parameter::Delta)
+                + 2.0 * own * of_delta * beside(Parameter::Delta);
             (value / linear, variance.max(0.0).sqrt())
         }
         Parameter::SteadyForce => {
             // Stated at the input, over the gain that is fitted itself.
             let gain = fit.values[Parameter::Gain];
             let offset = value / gain;
-            let variance = variance + offset * offset * c[(2, 2)] - 2.0 * offset * c[(2, row)];
+            let variance = variance + offset * offset * of(Parameter::Gain)
+                - 2.0 * offset * beside(Parameter::Gain);
             (offset, variance.max(0.0).sqrt() / gain.abs())
         }
         Parameter::Trend | Parameter::ResonanceDrift => {

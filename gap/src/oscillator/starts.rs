@@ -273,6 +273,7 @@ const FOLLOWED: (usize, usize) = (12, 2);
 
 /// The term whose fit may begin far away, the first of [`TERMS`].
 pub(super) const SPRING: usize = 0;
+const _: () = assert!(matches!(TERMS[SPRING].values, [Parameter::CubicStiffness]));
 
 /// A cubic spring fitted from far away, and the steps per sample it takes; `None` where the linear
 /// fit of a driven record is not poor.
