@@ -108,6 +108,9 @@ pub struct Entry {
     /// Whether it works by noise and scatter, not by a response.
     #[serde(skip)]
     pub only_scatters: bool,
+    /// Whether it is an error of what is stated of the rig, not of the rig.
+    #[serde(skip)]
+    pub of_nominal: bool,
     /// How many of the first parameters make up its size (or the frequency it sits at).
     #[serde(skip)]
     pub sizes: usize,
@@ -131,6 +134,7 @@ impl Entry {
         separate_by: "",
         identifiable: true,
         only_scatters: false,
+        of_nominal: false,
         sizes: 1,
         other_way: None,
     };

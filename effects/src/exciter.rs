@@ -280,6 +280,7 @@ pub static NOMINAL_STIFFNESS: Entry = Entry {
     columns: NOMINAL_COLUMNS,
     confused_with: &["payload_mass", "suspension_cubic"],
     separate_by: "points around the suspension resonance at a small level, with coil current",
+    of_nominal: true,
     ..Entry::CALIBRATOR
 };
 
@@ -293,6 +294,7 @@ pub static NOMINAL_FORCE_FACTOR: Entry = Entry {
     columns: NOMINAL_COLUMNS,
     confused_with: &["back_emf", "nominal_resistance"],
     separate_by: "coil current beside the coil voltage; a force sensor",
+    of_nominal: true,
     ..Entry::CALIBRATOR
 };
 
@@ -306,6 +308,7 @@ pub static NOMINAL_RESISTANCE: Entry = Entry {
     columns: NOMINAL_COLUMNS,
     confused_with: &["coil_heating", "nominal_force_factor"],
     separate_by: "the resistance at the terminals with an ohmmeter, the coil cold",
+    of_nominal: true,
     ..Entry::CALIBRATOR
 };
 
@@ -319,5 +322,6 @@ pub static NOMINAL_INDUCTANCE: Entry = Entry {
     columns: NOMINAL_COLUMNS,
     confused_with: &["lossy_inductance", "nominal_resistance"],
     separate_by: "coil current at the highest frequencies",
+    of_nominal: true,
     ..Entry::CALIBRATOR
 };

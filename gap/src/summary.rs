@@ -3,11 +3,13 @@
 use crate::answer::{Answer, Cause, OwnNoise, Remainder, Verdict};
 use crate::thresholds;
 
-/// A number as a person reads it: three significant digits, with an exponent only below 1e-3 and from 1e6 on.
+/// A number as a person reads it: three significant digits, with an exponent only below 1e-3 and from 1e6 on; a dash
+/// where there is none.
 pub fn three_digits(value: f64) -> String {
     let size = value.abs();
     match size {
         0.0 => "0".into(),
+        _ if !size.is_finite() => "-".into(),
         _ if !(1e-3..1e6).contains(&size) => format!("{value:.2e}"),
         _ => {
             let decimals = (2.0 - size.log10().floor()).clamp(0.0, 6.0) as usize;
@@ -107,7 +109,7 @@ fn described(cause: &Cause) -> String {
         value.map_or((*id).to_owned(), |(parameter, estimate)| {
             let value = three_digits(estimate.value);
             // What the data say of a nominal value is known to its stated uncertainty.
-            match id.starts_with("nominal_") {
+            match entry.is_some_and(|entry| entry.of_nominal) {
                 true => format!(
                     "{id} (off by {:+.1} u, {value})",
                     estimate.value / estimate.u
@@ -167,8 +169,11 @@ mod tests {
 
     #[test]
     fn numbers_have_three_digits() {
-        let shown = [0.0, -0.05, 0.3099, 3100.0, 12.345, 1.0002e7, 4e-5].map(three_digits);
-        let read = ["0", "-0.05", "0.31", "3100", "12.3", "1.00e7", "4.00e-5"];
+        let shown =
+            [f64::NAN, 0.0, -0.05, 0.3099, 3100.0, 12.345, 1.0002e7, 4e-5].map(three_digits);
+        let read = [
+            "-", "0", "-0.05", "0.31", "3100", "12.3", "1.00e7", "4.00e-5",
+        ];
         assert_eq!(shown, read);
     }
 }
