@@ -480,3 +480,18 @@ pub(crate) const EFFORT_OF_HANDS: f64 = 1.5;
 pub(crate) const EFFORT_OF_SENSORS: f64 = 2.0;
 /// How much later a point is taken that shows what drifts, in s. A choice: two hours.
 pub(crate) const LATER_S: f64 = 7200.0;
+
+// What is tried at all?
+
+/// Corner of a steep filter over the highest frequency from which it cannot be told from a delay: the phase of
+/// Butterworth's bends away from one by 0.36 (f/fc)^3 rad, of which a tenth of a degree is left there.
+pub(crate) const FARTHEST_BUTTERWORTH: f64 = 6.0;
+/// Farthest corner of a Bessel filter, which does not bend its phase and loses (2.114 f/fc)^2 / 14: three tenths of a
+/// per cent.
+pub(crate) const FARTHEST_BESSEL: f64 = 10.0;
+/// Product of duration and highest frequency at which averaging twice loses 1 % there; of less the
+/// second order alone tells it from averaging once.
+pub(crate) const SHORTEST_AVERAGING: f64 = 0.055;
+/// Threshold over the largest peak up to which a soft bend is more than a cubic one: at a quarter the third
+/// harmonic is 5e-3, 3 % of it less than that of a cubic with the same gain.
+pub(crate) const FARTHEST_SOFT: f64 = 4.0;

@@ -111,7 +111,7 @@ impl Problem {
         self.evaluate_with(effects, theta, Memories::Keep(memory), |_| {})
     }
 
-    /// Evaluates a small step aside: starts from the memory and leaves it as it is.
+    /// Evaluates a small step: starts from the memory and leaves it as it is.
     pub(crate) fn evaluate_beside(
         &self,
         effects: &[Active<'_>],

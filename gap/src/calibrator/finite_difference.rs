@@ -1,4 +1,4 @@
-//! Slopes by a small step aside: what the closed forms for a linear row do not know.
+//! Slopes by a small step: what the closed forms for a linear row do not know.
 
 use super::closed_form::response_change;
 use super::evaluation::Evaluation;

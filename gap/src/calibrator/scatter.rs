@@ -154,12 +154,11 @@ impl<'a> Scene<'a> {
                 }
             }
             shown.loses |= self.transfer(row, added) != Transfer::default();
-            let sums = shown.noise.iter_mut().zip(Channel::BOTH).enumerate();
-            for (channel, (sum, of)) in sums {
-                let Some(at) = self.problem.datum(row, Observable::noise(of)) else {
+            for (sum, channel) in shown.noise.iter_mut().zip(Channel::BOTH) {
+                let Some(at) = self.problem.datum(row, Observable::noise(channel)) else {
                     continue;
                 };
-                let healthy = self.healthy_v2[channel];
+                let healthy = self.healthy_v2[channel as usize];
                 let (power, open) = after.noise(channel, healthy);
                 let open = open - before.noise(channel, healthy).1;
                 let difference = self.problem.measured[at] - 0.5 * power.ln();

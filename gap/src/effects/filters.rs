@@ -5,6 +5,7 @@ use crate::model::chain::Transfer;
 use crate::model::effect::{Effect, Explanations, Start, ratios};
 use crate::model::facts::Facts;
 use crate::model::row::Row;
+use crate::thresholds;
 use calib_effects::{Entry, Parameter, conditioning};
 use num_complex::Complex64;
 use std::f64::consts::PI;
@@ -111,15 +112,6 @@ fn corners_below(facts: &Facts, lowest: f64, count: usize) -> Vec<f64> {
     corners
 }
 
-/// Corner of a steep filter over the highest frequency from which it cannot be told from a delay: the phase of
-/// Butterworth's bends away from one by 0.36 (f/fc)^3 rad, of which a tenth of a degree is left there.
-const FARTHEST_BUTTERWORTH: f64 = 6.0;
-/// Farthest corner of a Bessel filter, which does not bend its phase and loses (2.114 f/fc)^2 / 14: three tenths of a
-/// per cent.
-const FARTHEST_BESSEL: f64 = 10.0;
-/// Product of duration and highest frequency at which averaging twice loses 1 % there; of less the
-/// second order alone tells it from averaging once.
-const SHORTEST: f64 = 0.055;
 /// Starts within the band.
 const WITHIN: usize = 5;
 
@@ -145,9 +137,12 @@ impl Effect for Filter {
     /// Elsewhere these are a delay.
     fn within(&self, facts: &Facts) -> Option<[f64; 2]> {
         match self {
-            Self::Butterworth4 => Some([0.0, FARTHEST_BUTTERWORTH * facts.highest_hz]),
-            Self::Bessel4 => Some([0.0, FARTHEST_BESSEL * facts.highest_hz]),
-            Self::Sinc2 => Some([SHORTEST / facts.highest_hz, f64::INFINITY]),
+            Self::Butterworth4 => Some([0.0, thresholds::FARTHEST_BUTTERWORTH * facts.highest_hz]),
+            Self::Bessel4 => Some([0.0, thresholds::FARTHEST_BESSEL * facts.highest_hz]),
+            Self::Sinc2 => Some([
+                thresholds::SHORTEST_AVERAGING / facts.highest_hz,
+                f64::INFINITY,
+            ]),
             _ => None,
         }
     }
@@ -175,9 +170,19 @@ impl Effect for Filter {
             Self::DutLowpass1 | Self::ReferenceLowpass1 => {
                 corners_above(facts, 5000.0 * facts.highest_hz, 22)
             }
-            Self::Butterworth4 => corners_above(facts, FARTHEST_BUTTERWORTH * facts.highest_hz, 10),
-            Self::Bessel4 => corners_above(facts, FARTHEST_BESSEL * facts.highest_hz, 12),
-            Self::Sinc2 => ratios(SHORTEST / facts.highest_hz, 1.5 / facts.highest_hz, 14),
+            Self::Butterworth4 => corners_above(
+                facts,
+                thresholds::FARTHEST_BUTTERWORTH * facts.highest_hz,
+                10,
+            ),
+            Self::Bessel4 => {
+                corners_above(facts, thresholds::FARTHEST_BESSEL * facts.highest_hz, 12)
+            }
+            Self::Sinc2 => ratios(
+                thresholds::SHORTEST_AVERAGING / facts.highest_hz,
+                1.5 / facts.highest_hz,
+                14,
+            ),
             Self::AveragingWindow => ratios(0.0002 / facts.highest_hz, 1.5 / facts.highest_hz, 22),
         };
         values.into_iter().map(|v| Start::shape(vec![v])).collect()

@@ -7,7 +7,7 @@
 //! the amplifier puts out. Each harmonic is corrected by its own linear
 //! response (with the mean stiffness of the suspension) until that holds.
 
-use super::exciter::{Bend, Exciter};
+use super::exciter::{Exciter, Nonlinearity};
 use super::friction::{Friction, Rubbed};
 use super::grid::{GRID, ORDERS, Parity, Wave, analyse, size, synthesize};
 use super::saturation::saturated_from;
@@ -56,7 +56,7 @@ pub(crate) struct Balanced {
 /// small change of a parameter needs few corrections.
 pub(crate) fn balance(
     exciter: &Exciter,
-    bend: &Bend,
+    bend: &Nonlinearity,
     omega: f64,
     acceleration_peak_ms2: f64,
     motion: &mut Wave,
@@ -97,7 +97,7 @@ pub(crate) fn balance(
 
 struct Work<'a> {
     exciter: &'a Exciter,
-    bend: &'a Bend,
+    bend: &'a Nonlinearity,
     friction: Option<Friction>,
     parity: Parity,
     omega: f64,
@@ -114,7 +114,7 @@ struct State {
 }
 
 impl<'a> Work<'a> {
-    fn new(exciter: &'a Exciter, bend: &'a Bend, omega: f64) -> Self {
+    fn new(exciter: &'a Exciter, bend: &'a Nonlinearity, omega: f64) -> Self {
         let mut impedance = [Complex64::from(exciter.resistance_ohm); ORDERS + 1];
         let mut stiffness = [Complex64::from(exciter.static_stiffness_n_per_m()); ORDERS + 1];
         let parity = bend.parity();
@@ -334,17 +334,17 @@ mod tests {
     #[test]
     fn a_balance_does_not_depend_on_what_another_bend_left() {
         let exciter = Exciter::example();
-        let even = Bend {
+        let even = Nonlinearity {
             quadratic_n_per_m2: 2e5,
             gravity_ms2: 9.81,
-            ..Bend::default()
+            ..Nonlinearity::default()
         };
-        let odd = Bend {
+        let odd = Nonlinearity {
             cubic_n_per_m3: 1e9,
-            ..Bend::default()
+            ..Nonlinearity::default()
         };
         let cold = || [Complex64::ZERO; ORDERS + 1];
-        let of = |bend: &Bend, motion: &mut Wave| {
+        let of = |bend: &Nonlinearity, motion: &mut Wave| {
             balance(&exciter, bend, TAU * 12.0, 5.0, motion, Purpose::Value)
         };
         for (first, second) in [(&even, &odd), (&odd, &even)] {
@@ -363,10 +363,10 @@ mod tests {
     #[test]
     fn a_step_of_the_weight_moves_the_second_harmonic() {
         let exciter = Exciter::example();
-        let sagging = |gravity_ms2| Bend {
+        let sagging = |gravity_ms2| Nonlinearity {
             cubic_n_per_m3: 1e7,
             gravity_ms2,
-            ..Bend::default()
+            ..Nonlinearity::default()
         };
         let mut motion = [Complex64::ZERO; ORDERS + 1];
         let mut of = |gravity_ms2: f64, purpose| {

@@ -1,6 +1,6 @@
 //! Places where effects may act on one row.
 
-use super::exciter::{Bend, Body};
+use super::exciter::{Body, Nonlinearity};
 use super::scatter::Scatter;
 use super::waveform::Characteristic;
 use num_complex::Complex64;
@@ -31,7 +31,7 @@ pub(crate) struct Chain {
     /// The body of the exciter, if it gives way.
     pub(crate) body: Option<Body>,
     /// Nonlinear exciter and amplifier.
-    pub(crate) bend: Bend,
+    pub(crate) bend: Nonlinearity,
     /// Motion of the device under test, in m/s2.
     pub(crate) mount: Option<Characteristic>,
     /// Reference channel of the digitiser, in V.
@@ -61,7 +61,7 @@ impl Default for Chain {
             inductance_exponent: 1.0,
             shorted: [0.0, 1.0],
             body: None,
-            bend: Bend::default(),
+            bend: Nonlinearity::default(),
             mount: None,
             ref_adc: None,
             dut_adc: None,

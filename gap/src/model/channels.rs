@@ -7,7 +7,7 @@
 use super::chain::Chain;
 use super::grid::{ORDERS, Wave, mean_square, size};
 use super::held::Held;
-use super::path::{Above, Path, bends_by, highest, mixes, pass};
+use super::path::{Above, Path, distortion, highest, mixes, pass};
 use super::prediction::{Nominal, Prediction};
 use super::row::Row;
 use super::waveform::{Characteristic, REPORTED};
@@ -99,7 +99,7 @@ fn others_at_converter(
     peak_ms2: f64,
     path: &Path<'_>,
 ) -> f64 {
-    let bent = mount.map_or(0.0, |m| bends_by(m, peak_ms2)) + path.others;
+    let bent = mount.map_or(0.0, |m| distortion(m, peak_ms2)) + path.others;
     bent + chain.dut_harmonics.iter().map(|h| h.abs()).sum::<f64>()
 }
 

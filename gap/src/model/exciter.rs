@@ -254,7 +254,7 @@ impl Fundamental {
 
 /// Nonlinear forces of the exciter in one row.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Bend {
+pub(crate) struct Nonlinearity {
     /// Force k3 x^3, in N/m3.
     pub(crate) cubic_n_per_m3: f64,
     /// Force k2 x^2 about the unloaded position, in N/m2.
@@ -273,7 +273,7 @@ pub(crate) struct Bend {
     pub(crate) gravity_ms2: f64,
 }
 
-impl Bend {
+impl Nonlinearity {
     /// Whether anything is bent at all.
     pub(crate) fn is_linear(&self) -> bool {
         self.friction_n == 0.0 && self.is_dry_only()

@@ -111,8 +111,8 @@ fn excess_noise_s(rows: &[Row], healthy_v: f64) -> f64 {
 const MOST_PLACES: usize = 16;
 
 /// Middles of the gaps between the peak voltages of a channel.
-fn between_v(rows: &[Row], channel: usize) -> Vec<f64> {
-    let peaks = rows.iter().map(|row| row.seen_v[channel] * SQRT_2);
+fn between_v(rows: &[Row], channel: Channel) -> Vec<f64> {
+    let peaks = rows.iter().map(|row| row.seen_v[channel as usize] * SQRT_2);
     let mut peaks_v: Vec<f64> = peaks.filter(|v| *v > 0.0).collect();
     peaks_v.sort_by(f64::total_cmp);
     let gaps = peaks_v.windows(2).map(|pair| (pair[1] / pair[0], pair[0]));
@@ -177,7 +177,7 @@ impl Facts {
             largest_travel_m: over(Row::travel_m).1,
             largest_peak_v: [reference_v.1, dut_v.1],
             smallest_peak_v: [reference_v.0, dut_v.0],
-            between_v: [0, 1].map(|channel| between_v(rows, channel)),
+            between_v: Channel::BOTH.map(|channel| between_v(rows, channel)),
             frequencies_hz: frequencies_hz(rows),
             warmest_k: over(|r| r.warmer_k.abs()).1,
             noise_v,

@@ -259,8 +259,8 @@ impl Yields {
 mod tests {
     use super::{Friction, ORDERS, Yields};
     use crate::model::balance::{Purpose, balance};
-    use crate::model::exciter::Bend;
     use crate::model::exciter::Exciter;
+    use crate::model::exciter::Nonlinearity;
     use num_complex::Complex64;
     use std::f64::consts::{PI, TAU};
 
@@ -270,9 +270,9 @@ mod tests {
     #[test]
     fn the_third_harmonic_is_that_of_the_motion_in_time() {
         let exciter = Exciter::example();
-        let friction = Bend {
+        let friction = Nonlinearity {
             friction_n: 0.0154,
-            ..Bend::default()
+            ..Nonlinearity::default()
         };
         let mut motion = [Complex64::ZERO; ORDERS + 1];
         let found = balance(
@@ -297,11 +297,11 @@ mod tests {
     fn friction_alone_needs_no_corrections() {
         let exciter = Exciter::example();
         for (friction_n, level) in [(0.005, 2.0), (0.02, 1.4), (0.5, 30.0)] {
-            let alone = Bend {
+            let alone = Nonlinearity {
                 friction_n,
-                ..Bend::default()
+                ..Nonlinearity::default()
             };
-            let corrected = Bend {
+            let corrected = Nonlinearity {
                 cubic_n_per_m3: 1e-9,
                 ..alone
             };
@@ -355,9 +355,9 @@ mod tests {
             resistance_ohm: 1e4,
             ..Exciter::example()
         };
-        let friction = Bend {
+        let friction = Nonlinearity {
             friction_n: 0.02,
-            ..Bend::default()
+            ..Nonlinearity::default()
         };
         let (omega, level) = (TAU * 160.0, 10.0);
         let mut motion = [Complex64::ZERO; ORDERS + 1];

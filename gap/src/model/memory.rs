@@ -1,7 +1,7 @@
 //! Memory of a row between evaluations.
 
 use super::balance::{Balanced, Purpose, balance};
-use super::exciter::{Added, Bend, Exciter, Fundamental};
+use super::exciter::{Added, Exciter, Fundamental, Nonlinearity};
 use super::grid::{ORDERS, Wave};
 use num_complex::Complex64;
 
@@ -10,7 +10,7 @@ use num_complex::Complex64;
 pub(crate) struct Memory {
     motion: Wave,
     /// Last balanced input, and its result: many effects leave the exciter as it was.
-    last: Option<(Exciter, Bend, f64, Balanced)>,
+    last: Option<(Exciter, Nonlinearity, f64, Balanced)>,
     /// The linear exciter of the last evaluation that had one.
     still: Option<(Exciter, Added, Fundamental)>,
 }
@@ -29,7 +29,7 @@ impl Default for Memory {
 pub(crate) enum Recall<'a> {
     /// Starts from it, and leaves its own solution there.
     Keep(&'a mut Memory),
-    /// Starts from it and leaves it as it is: for a small step aside.
+    /// Starts from it and leaves it as it is: for a small step.
     Look(&'a Memory),
 }
 
@@ -63,7 +63,7 @@ impl Recall<'_> {
     pub(super) fn balance(
         &mut self,
         exciter: &Exciter,
-        bend: &Bend,
+        bend: &Nonlinearity,
         omega: f64,
         peak_ms2: f64,
     ) -> Balanced {
@@ -74,7 +74,7 @@ impl Recall<'_> {
             return *balanced;
         }
         let mut motion = memory.motion;
-        // Only from a balance nearby is the first correction the size of the step aside.
+        // Only from a balance nearby is the first correction the size of the step.
         let purpose = match (&*self, &memory.last) {
             (Self::Look(_), Some((.., near))) if near.converged => Purpose::Slope,
             _ => Purpose::Value,

@@ -201,7 +201,7 @@ pub(super) fn shaped(bend: Characteristic, peak: f64, arriving: &Wave) -> Passed
 }
 
 /// Harmonics of a sine behind a cut, roughly: none below the threshold.
-pub(super) fn bends_by(bend: Characteristic, peak: f64) -> f64 {
+pub(super) fn distortion(bend: Characteristic, peak: f64) -> f64 {
     let spectrum = bend.spectrum(peak);
     let harmonics = spectrum.order[2..].iter().map(|c| c.abs());
     harmonics.sum::<f64>() / peak

@@ -74,7 +74,7 @@ fn leave_rough(balanced: &Balanced, out: &mut Prediction) {
 fn noise(nominal: &Nominal, chain: &Chain, out: &mut Prediction) {
     for (channel, of) in Channel::BOTH.into_iter().enumerate() {
         let healthy = nominal.noise_v[channel] * nominal.noise_v[channel];
-        let (power, open) = chain.scatter.noise(channel, healthy);
+        let (power, open) = chain.scatter.noise(of, healthy);
         if power > 0.0 {
             // Most sets make no noise: its logarithm is known.
             out.value[Observable::noise(of)] = if power == healthy {

@@ -1,6 +1,6 @@
 //! Noise and leakage that effects add to one row.
 
-use crate::observable::{Group, Observable};
+use crate::observable::{Channel, Group, Observable};
 use std::f64::consts::PI;
 
 /// Noise that effects add to a row and to the uncertainty of its components.
@@ -33,7 +33,8 @@ impl Scatter {
     ///
     /// How a line shares its power with the components depends on where it lies in its bin
     /// and on the window: the size of the reduction is open by itself.
-    pub(crate) fn noise(&self, channel: usize, healthy_v2: f64) -> (f64, f64) {
+    pub(crate) fn noise(&self, channel: Channel, healthy_v2: f64) -> (f64, f64) {
+        let channel = channel as usize;
         let all = healthy_v2 + self.noise_v2[channel];
         let own = self.noise_open[channel].powi(2);
         if self.taken_v2[channel] == 0.0 {

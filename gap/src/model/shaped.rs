@@ -382,8 +382,8 @@ mod tests {
             }
             let [fundamental, growth] = characteristic.fundamental_behind(&wave);
             assert!((fundamental - shaped.wave[1]).norm() < 1e-12);
-            let aside = |by: f64| characteristic.shape(&wave.map(|c| c * by)).wave[1];
-            let expected = (aside(1.0 + 1e-5) - aside(1.0 - 1e-5)) / 2e-5;
+            let scaled = |by: f64| characteristic.shape(&wave.map(|c| c * by)).wave[1];
+            let expected = (scaled(1.0 + 1e-5) - scaled(1.0 - 1e-5)) / 2e-5;
             // The second derivative jumps where a flat top reaches the threshold.
             let error = (growth - expected).norm();
             assert!(error < 3e-4, "{characteristic:?} growth {error:e}");

@@ -21,6 +21,7 @@ use crate::axis::Axis;
 use crate::error::GapError;
 use crate::pictures::Pictures;
 use crate::summary::three_digits;
+use crate::thresholds;
 use calib_effects::Stage;
 use minijinja::value::{Serde, Value};
 use minijinja::{AutoEscape, Environment, UndefinedBehavior, context};
@@ -76,7 +77,7 @@ fn section((at, answer): (usize, &Answer)) -> Section<'_> {
     let drawings = plots.iter().enumerate();
     Section {
         answer,
-        oscillator: answer.gap.by_observable.contains_key("output"),
+        oscillator: maps.is_none(),
         words: answer.causes.iter().map(first::words).collect(),
         suspects: first::suspects(answer),
         place: answer.r#where.first().map(first::place),
@@ -93,6 +94,7 @@ fn environment() -> Environment<'static> {
     let mut environment = Environment::new();
     environment.set_auto_escape_callback(|_| AutoEscape::Html);
     environment.set_undefined_behavior(UndefinedBehavior::Strict);
+    environment.add_global("POSSIBLE", thresholds::POSSIBLE_PROBABILITY);
     environment.add_filter("three_digits", three_digits);
     environment.add_filter("percent", |value: f64| {
         format!("{}\u{a0}%", three_digits(value))
