@@ -16,8 +16,8 @@ const SHOWN: usize = 60;
 pub(super) struct Differences(Vec<String>);
 
 impl Differences {
-    /// Adds the differences between two sets of answers; without a baseline there are none.
-    /// Sets missing today (measured ones of another computer) are left out.
+    /// Adds the differences between two sets of answers; without a baseline there are none. Measured sets, which
+    /// another computer may not have, may be missing.
     pub(super) fn compare(&mut self, before: &Frozen, now: &Frozen) {
         for (name, now) in now {
             match before.get(name) {
@@ -26,6 +26,10 @@ impl Differences {
                 None => self.0.push(format!("{name}: new")),
             }
         }
+        let missing = before.keys().filter(|name| !now.contains_key(*name));
+        let missing = missing.filter(|name| !name.starts_with("measured-"));
+        self.0
+            .extend(missing.map(|name| format!("{name}: missing")));
     }
 
     pub(super) fn is_empty(&self) -> bool {
