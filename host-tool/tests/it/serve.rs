@@ -262,6 +262,7 @@ fn a_calibration_is_started_watched_by_two_pages_and_certified() {
     assert_eq!(issued(), 1);
     let chain = |json: &str| -> Value {
         let json: Value = serde_json::from_str(json).expect("JSON");
+        conforms_to("certificate-file", &json);
         json["record_chain"].clone()
     };
     assert_eq!(chain(&json), "first");
@@ -271,6 +272,7 @@ fn a_calibration_is_started_watched_by_two_pages_and_certified() {
     assert!(status == 400 && why.contains("country"), "{why}");
     let (_, waveforms) = server.get("/api/waveforms");
     let waveforms: Value = serde_json::from_str(&waveforms).expect("JSON");
+    conforms_to("page-waveforms", &waveforms);
     assert_eq!(waveforms["number"], views[0]["waveforms"]);
     let (_, records) = server.get("/api/records");
     let records: Value = serde_json::from_str(&records).expect("JSON");
