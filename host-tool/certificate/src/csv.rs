@@ -100,7 +100,9 @@ const JUDGEMENT: [Column<&str>; 21] = [
         let marks: Vec<_> = r.certificate.marks().iter().map(code).collect();
         Some(marks.join(" "))
     }),
-    ("record_chain", |r| r.certificate.chain.as_ref().map(code)),
+    ("record_chain", |r| {
+        r.certificate.record_chain.as_ref().map(code)
+    }),
     ("replaces", |r| Some(harmless(&r.replaces()?.certificate))),
     ("replaced_because", |r| {
         Some(harmless(&r.replaces()?.reason))

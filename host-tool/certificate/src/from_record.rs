@@ -119,7 +119,7 @@ impl Certificate {
             remarks: Vec::new(),
             as_found: None,
             resonance: None,
-            chain: None,
+            record_chain: None,
             untried_hz: record
                 .untried
                 .iter()

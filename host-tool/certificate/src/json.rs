@@ -106,7 +106,7 @@ impl Document {
             budget: certificate.budget.as_ref().map(Budget::from),
             as_found: as_found(certificate),
             mounted_resonance: certificate.resonance,
-            record_chain: certificate.chain,
+            record_chain: certificate.record_chain,
             remarks: certificate
                 .remarks
                 .iter()

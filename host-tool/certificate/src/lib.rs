@@ -202,7 +202,7 @@ pub struct Options {
     pub as_found: Option<Record>,
     /// Knowledge of the record's place in the chain; by default nothing but
     /// what its number says.
-    pub chain: Option<Standing>,
+    pub record_chain: Option<Standing>,
     /// Records of the same device mounted again, beside `record`.
     pub remounted: Vec<Record>,
     /// Records that measured again what had no result in `record`.
@@ -290,7 +290,7 @@ pub fn prepare(record: &Record, formats: &[Format], options: &Options) -> Result
     if let Some(found) = &options.as_found {
         adjustment::attach(&mut certificate, record, found)?;
     }
-    standing::attach(&mut certificate, record, options.chain);
+    standing::attach(&mut certificate, record, options.record_chain);
     let language = options.particulars.language.unwrap_or_default();
     let dcc = seal::dcc(&certificate, language, options.seal.as_ref())?;
     let file = |format: &Format| {

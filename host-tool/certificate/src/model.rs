@@ -52,7 +52,7 @@ pub struct Certificate {
     /// Mounted resonance as the points show it.
     pub resonance: Option<MountedResonance>,
     /// Place of the record in the chain, once somebody looked.
-    pub chain: Option<Standing>,
+    pub record_chain: Option<Standing>,
     /// Points of the list that were never attempted, Hz.
     pub untried_hz: Vec<f64>,
     /// No first point was asked again at the end of the run and refused.

@@ -20,7 +20,10 @@ pub(super) fn attach(certificate: &mut Certificate, record: &Record, standing: O
         _ => Standing::NotAtHand,
     });
     let before = Value::Text(record.head.id.saturating_sub(1).to_string());
-    let said = Value::Phrase(format!("chain.{}", code(&standing)), vec![before.clone()]);
+    let said = Value::Phrase(
+        format!("record_chain.{}", code(&standing)),
+        vec![before.clone()],
+    );
     let sum = Value::Text(hexadecimal(&digest(record)));
     let calibration = certificate
         .sections
@@ -46,7 +49,7 @@ pub(super) fn attach(certificate: &mut Certificate, record: &Record, standing: O
         let entries = entries.into_iter().chain(key).chain(settings).chain(image);
         section.entries.splice(at..at, entries);
     }
-    certificate.chain = Some(standing);
+    certificate.record_chain = Some(standing);
     if standing == Standing::Broken {
         let remark = Remark {
             severity: Severity::Error,

@@ -8,14 +8,14 @@ use calib_record::hash_chain::{Evidence, Standing};
 use calib_record::sample::{THIRD_OCTAVES_HZ, mend, record};
 
 /// Everything passes: the object is within 5 % of its nominal sensitivity.
-fn certificate(chain: Option<Standing>) -> Prepared {
+fn certificate(record_chain: Option<Standing>) -> Prepared {
     // A DCC cannot be without the country of the laboratory.
     let particulars = "[laboratory]\ncountry = 'DE'\n\
         [decision]\nspecification = 'nominal'\ntolerance_percent = 50\nnominal_mv_per_ms2 = 10.2";
     let particulars: Particulars = toml::from_str(particulars).expect("particulars");
     let options = Options {
         particulars,
-        chain,
+        record_chain,
         ..Options::default()
     };
     prepare(&record(&THIRD_OCTAVES_HZ), &Format::ALL, &options).expect("rendered")
@@ -121,9 +121,9 @@ fn an_altered_neighbour_breaks_the_chain_of_the_certificate() {
 fn the_key_is_stated_of_a_signature_that_was_verified() {
     let bytes = calib_record::sample::signed(&record(&[160.0]), &[5; 32]);
     let signed = record::decode(&bytes).expect("a record");
-    let stated = |chain| {
+    let stated = |record_chain| {
         let options = Options {
-            chain,
+            record_chain,
             ..Options::default()
         };
         let html = prepare(&signed, &[Format::Html], &options).expect("rendered");

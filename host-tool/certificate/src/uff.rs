@@ -101,7 +101,7 @@ fn identification(certificate: &Certificate) -> [String; 5] {
         value.map_or_else(|| "NONE".to_owned(), |v| present::value(v, Language::En))
     };
     let object = format!("{} {}", said("item", "model"), said("item", "serial"));
-    let warning = match certificate.chain {
+    let warning = match certificate.record_chain {
         Some(Standing::Broken) => ": DO NOT USE, the chain of its record is broken",
         _ => "",
     };

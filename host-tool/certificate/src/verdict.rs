@@ -54,7 +54,7 @@ impl Certificate {
             lower_limit_rel: None,
             upper_limit_rel: None,
         };
-        if self.chain == Some(Standing::Broken) {
+        if self.record_chain == Some(Standing::Broken) {
             return Some(plain(language.word("verdict.chain_broken").to_owned()));
         }
         let refused = self.points.iter().filter(|p| p.outcome.is_err()).count();

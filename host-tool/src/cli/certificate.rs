@@ -140,7 +140,7 @@ impl CertificateVerb {
         let (found, retried) = self.found(context, logbook.as_ref(), amended.as_ref())?;
         let record = found.calibration()?;
         let mut options = Options {
-            chain: Some(found.standing),
+            record_chain: Some(found.standing),
             failed_checks: assurance::failed_checks(logbook.as_ref(), record)?,
             remounted: self.read(context, &self.remounted)?,
             retried,

@@ -7,7 +7,7 @@
 
 use super::handle::{Handle, Order};
 use super::keeper::Keeper;
-use super::view::{KeptListView, Link, RunView, Shared};
+use super::view::{Connection, KeptListView, RunView, Shared};
 use super::waveforms::Eye;
 use crate::clock::unix_time_s;
 use crate::in_unit::{StatedPoint, Stating};
@@ -83,7 +83,7 @@ impl CalibratorSide {
         self.handle.order(Order::End);
         let begun = Instant::now();
         while !self.thread.is_finished() {
-            let lost = self.handle.shared.snapshot().link != Link::Connected;
+            let lost = self.handle.shared.snapshot().link != Connection::Connected;
             if lost && begun.elapsed() > GRACE {
                 return;
             }
@@ -132,7 +132,7 @@ impl Worker {
             snapshot.info = None;
             snapshot.key = None;
             snapshot.lists.clear();
-            snapshot.link = Link::None;
+            snapshot.link = Connection::None;
         });
         if let Err(error) = self.open() {
             self.trouble(&error);
@@ -157,7 +157,7 @@ impl Worker {
             snapshot.info = Some(InfoView::new(&info, health.as_ref(), image.as_ref()));
             snapshot.key = key.map(|key| short(&key.public));
             snapshot.lists = lists;
-            snapshot.link = Link::Connected;
+            snapshot.link = Connection::Connected;
             snapshot.trouble = None;
         });
         Ok(())
@@ -167,7 +167,7 @@ impl Worker {
     /// meanwhile is followed to its end.
     fn reconnect_if_lost(&mut self) {
         let snapshot = self.shared.snapshot();
-        if snapshot.link != Link::Lost || self.open().is_err() {
+        if snapshot.link != Connection::Lost || self.open().is_err() {
             return;
         }
         let Some(run) = snapshot.run.filter(|run| run.running) else {
@@ -321,7 +321,8 @@ impl Worker {
     fn lost(&mut self, error: &Error) {
         self.client = None;
         self.trouble(error);
-        self.shared.change(|snapshot| snapshot.link = Link::Lost);
+        self.shared
+            .change(|snapshot| snapshot.link = Connection::Lost);
     }
 
     fn trouble(&self, error: &Error) {

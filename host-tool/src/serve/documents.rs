@@ -171,7 +171,7 @@ fn made(
     particulars.reference_check = self_check::of_certificate(kept, &record)?;
     let mut options = Options {
         particulars,
-        chain: Some(judged::standing(&record.head, stored, kept)?),
+        record_chain: Some(judged::standing(&record.head, stored, kept)?),
         failed_checks: assurance::failed_checks(kept, &record)?,
         as_found: wanted.stated.found(kept)?,
         standard: wanted.stated.standard(kept)?,

@@ -41,7 +41,7 @@ pub use access::Access;
 pub use handle::Order;
 pub use options::Options;
 pub use stops::{StopState, StopView};
-pub use view::{KeptListView, Link, RunView, Snapshot};
+pub use view::{Connection, KeptListView, RunView, Snapshot};
 pub use waveforms::Waveforms;
 
 use crate::{Error, Result};

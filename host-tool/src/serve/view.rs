@@ -17,7 +17,7 @@ use tokio::sync::watch;
 /// The link to the calibrator.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
-pub enum Link {
+pub enum Connection {
     /// Nobody asked for one.
     #[default]
     None,
@@ -104,7 +104,7 @@ pub struct KeptListView {
 #[derive(Clone, Debug, Default, Serialize, JsonSchema)]
 pub struct Snapshot {
     /// The link.
-    pub link: Link,
+    pub link: Connection,
     /// The calibrator's address, as typed.
     pub device: String,
     /// Who it is.

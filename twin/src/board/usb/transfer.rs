@@ -67,7 +67,7 @@ impl Setup {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Stage {
+enum TransferStage {
     Setup,
     Data,
     Status,
@@ -83,7 +83,7 @@ pub(super) struct ControlTransfer {
     sent: usize,
     packet_bytes: usize,
     toggle: bool,
-    stage: Stage,
+    stage: TransferStage,
     silences: u32,
     started_ns: Option<u64>,
 }
@@ -97,7 +97,7 @@ impl ControlTransfer {
             sent: 0,
             packet_bytes,
             toggle: true,
-            stage: Stage::Setup,
+            stage: TransferStage::Setup,
             silences: 0,
             started_ns: None,
         }
@@ -113,11 +113,11 @@ impl ControlTransfer {
             return Some(Err(UsbError::Timeout));
         }
         let done = match (self.stage, self.setup.is_in()) {
-            (Stage::Setup, _) => self.start(controller),
-            (Stage::Data, true) => self.receive(controller),
-            (Stage::Data, false) => self.send(controller),
-            (Stage::Status, true) => self.confirm(controller),
-            (Stage::Status, false) => self.hear_status(controller),
+            (TransferStage::Setup, _) => self.start(controller),
+            (TransferStage::Data, true) => self.receive(controller),
+            (TransferStage::Data, false) => self.send(controller),
+            (TransferStage::Status, true) => self.confirm(controller),
+            (TransferStage::Status, false) => self.hear_status(controller),
         };
         match done {
             Ok(true) => Some(Ok(())),
@@ -133,8 +133,8 @@ impl ControlTransfer {
     fn start(&mut self, controller: &mut Controller) -> Result<bool, UsbError> {
         heard(controller.setup(self.address, self.setup.bytes()))?;
         self.stage = match self.setup.length {
-            0 => Stage::Status,
-            _ => Stage::Data,
+            0 => TransferStage::Status,
+            _ => TransferStage::Data,
         };
         Ok(false)
     }
@@ -151,7 +151,7 @@ impl ControlTransfer {
         self.data.extend(&packet);
         let short = packet.len() < self.packet_bytes;
         if short || self.data.len() >= usize::from(self.setup.length) {
-            self.stage = Stage::Status;
+            self.stage = TransferStage::Status;
         }
         Ok(false)
     }
@@ -163,7 +163,7 @@ impl ControlTransfer {
             self.toggle = !self.toggle;
             self.sent = end;
             if self.sent == self.data.len() {
-                self.stage = Stage::Status;
+                self.stage = TransferStage::Status;
             }
         }
         Ok(false)
