@@ -5,10 +5,13 @@ use serde::{Deserialize, Serialize};
 /// Requirement class of ISO 16063-21, clause 3.1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
 pub enum Example {
     /// Laboratory conditions.
+    #[serde(alias = "Example1")]
     Example1,
     /// Field conditions.
+    #[serde(alias = "Example2")]
     Example2,
 }
 

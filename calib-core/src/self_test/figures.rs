@@ -10,7 +10,7 @@ const PERIODS: usize = 7;
 /// Peak of the tone, of half the drive's range: 0.33 V from either rail.
 const PEAK_REL: f32 = 0.8;
 /// Samples of half the range.
-const HALF_RANGE: f32 = 32_768.0;
+const HALF_RANGE: f32 = MID_SAMPLE as f32;
 
 /// An input at rest, in samples of [`crate::converter`].
 #[derive(Clone, Copy, Debug, PartialEq)]

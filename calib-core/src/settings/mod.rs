@@ -24,10 +24,13 @@ pub const MAX_INFLUENCES: usize = 20;
 /// How the sensitivity is formed (ISO 16063-21, clause 6).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
 pub enum Method {
     /// S = X / A, the reference being part of the calibrator.
+    #[serde(alias = "Calibrator")]
     Calibrator,
     /// S2 = S1 X2 / X1 against a reference transducer.
+    #[serde(alias = "Comparison")]
     Comparison,
 }
 
@@ -58,20 +61,25 @@ pub struct Limits {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, rename_all = "snake_case")]
 pub enum Distribution {
     /// The value is an expanded uncertainty with this coverage factor.
+    #[serde(alias = "Normal")]
     Normal {
         /// Coverage factor the value was stated with.
         coverage_factor: f32,
     },
     /// The value is a half-width; divisor sqrt(3).
+    #[serde(alias = "Rectangular")]
     Rectangular,
     /// The value is a half-width; divisor sqrt(6).
+    #[serde(alias = "Triangular")]
     Triangular,
     /// The value is an amplitude of an arcsine law; divisor sqrt(2).
+    #[serde(alias = "UShaped")]
     UShaped,
     /// The value is divided by an explicit divisor, such as sqrt(18) of Table D.1, Note 3.
+    #[serde(alias = "Special")]
     Special {
         /// Value over standard uncertainty: `1 / x_i` of Table D.1.
         divisor: f32,

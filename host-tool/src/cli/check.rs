@@ -44,7 +44,8 @@ impl Check {
         let certified = with_certified_uncertainty(&record, &particulars);
         let result = check::check(&certified, missing.collect(), example);
         context.print(&result, || check::report(&result))?;
-        let failed = (!result.pass).then(|| "the record does not fulfil every requirement".into());
+        let failed =
+            (!result.passed).then(|| "the record does not fulfil every requirement".into());
         Error::not_passed(failed)
     }
 }

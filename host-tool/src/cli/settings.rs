@@ -57,3 +57,29 @@ fn read(path: &Path) -> Result<InstrumentSettings> {
     })?;
     Ok(settings)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Files that `calib settings` printed before wrote them with capitals.
+    #[test]
+    fn values_spelled_as_before_are_read() {
+        let settings = InstrumentSettings::field_calibrator();
+        let text = toml::to_string(&settings).expect("printed");
+        let mut before = text.clone();
+        for (now, then) in [
+            ("\"rectangular\"", "\"Rectangular\""),
+            ("distribution.special", "distribution.Special"),
+            ("\"calibrator\"", "\"Calibrator\""),
+            ("\"example2\"", "\"Example2\""),
+        ] {
+            assert!(before.contains(now), "{now} in {before}");
+            before = before.replace(now, then);
+        }
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("before.toml");
+        std::fs::write(&file, before).expect("written");
+        assert_eq!(read(&file).expect("read"), settings);
+    }
+}

@@ -15,7 +15,7 @@ pub struct Harmonic {
     pub order: u8,
     /// Amplitude over that of the fundamental, 1.
     pub amplitude_rel: f64,
-    /// Phase minus `order` times the phase of the fundamental, rad in (-pi, pi].
+    /// Phase minus `order` times the phase of the fundamental, in (-pi, pi] rad; JSON has degrees.
     #[serde(
         rename = "phase_deg",
         serialize_with = "calib_output::number::rad_as_deg"
@@ -40,13 +40,13 @@ pub struct ToneFit {
     /// Its standard uncertainty, V r.m.s.
     pub standard_uncertainty_rms_v: f64,
     /// Phase of the fundamental as `A cos(2 pi f t + phase)`, t from the first
-    /// sample on, rad in (-pi, pi].
+    /// sample on, in (-pi, pi] rad; JSON has degrees.
     #[serde(
         rename = "phase_deg",
         serialize_with = "calib_output::number::rad_as_deg"
     )]
     pub phase_rad: f64,
-    /// Its standard uncertainty, rad.
+    /// Its standard uncertainty, rad; JSON has degrees.
     #[serde(
         rename = "standard_uncertainty_phase_deg",
         serialize_with = "calib_output::number::rad_as_deg"

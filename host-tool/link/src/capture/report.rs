@@ -24,7 +24,7 @@ pub struct Report {
     pub dut: Channel,
     /// Fundamental of the device over that of the reference, V/V.
     pub ratio: Option<f64>,
-    /// Its phase, rad in (-pi, pi].
+    /// Its phase in (-pi, pi] rad; JSON has degrees.
     #[serde(
         rename = "phase_deg",
         serialize_with = "calib_output::number::maybe_rad_as_deg"

@@ -30,7 +30,7 @@ pub struct Check {
     /// Items clause 7 asks for that the record lacks.
     pub missing: Vec<Missing>,
     /// No requirement failed.
-    pub pass: bool,
+    pub passed: bool,
 }
 
 /// A point judged.
@@ -47,7 +47,7 @@ pub struct PointCheck {
     /// results.
     pub held: Vec<Held>,
     /// The instrument passed it, and every row is fulfilled.
-    pub pass: bool,
+    pub passed: bool,
 }
 
 /// A statement that is missing.
@@ -69,7 +69,7 @@ pub fn check(record: &Record, missing: Vec<Missing>, example: Option<Example>) -
             Example::Example1 => 1,
             Example::Example2 => 2,
         },
-        pass: requirements
+        passed: requirements
             .iter()
             .all(|requirement| requirement.outcome != Outcome::Fail),
         requirements,
@@ -87,7 +87,7 @@ fn points(record: &Record, example: Example) -> Vec<PointCheck> {
         };
         PointCheck {
             set: SetPoint::from(&point.spec),
-            pass: reason.is_none() && held.iter().all(|row| row.pass),
+            passed: reason.is_none() && held.iter().all(|row| row.passed),
             state,
             reason,
             held,
@@ -122,8 +122,8 @@ mod tests {
         let check = super::check(&record, Vec::new(), Some(Example::Example2));
         assert_eq!(of(&check, distortion).outcome, Outcome::Fail);
         assert_eq!(of(&check, distortion).at_hz, Some(160.0));
-        assert!(!check.pass);
-        assert!(check.points[0].pass && !check.points[1].pass);
+        assert!(!check.passed);
+        assert!(check.points[0].passed && !check.points[1].passed);
         // A refused point has no result that could fail.
         record.points[1].state = calib_core::point_state::PointState::Refused(
             calib_core::point_state::Reason::Distortion,
@@ -181,7 +181,7 @@ mod tests {
             record.settings.reference.due_day = due_day;
             let check = super::check(&record, Vec::new(), None);
             let row = of(&check, "reference, days overdue");
-            (row.outcome, row.worst, check.pass)
+            (row.outcome, row.worst, check.passed)
         };
         // 2026-04-22 is day 20 565; its last second, and the one after.
         let last_s = 20_566 * 86_400 - 1;

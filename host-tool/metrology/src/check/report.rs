@@ -82,12 +82,12 @@ fn point(point: &PointCheck) -> Vec<String> {
         cells.push(match held {
             None => "-".into(),
             Some(row) => {
-                let mark = if row.pass { "" } else { "!" };
+                let mark = if row.passed { "" } else { "!" };
                 format!("{}{mark}", significant(row.value, 2))
             }
         });
     }
-    cells.push(match (point.pass, point.held.is_empty()) {
+    cells.push(match (point.passed, point.held.is_empty()) {
         (true, _) => "pass".into(),
         (false, true) => "refused".into(),
         (false, false) => "FAIL".into(),

@@ -59,7 +59,7 @@ pub struct Held {
     /// Limit.
     pub limit: f64,
     /// Fulfilled.
-    pub pass: bool,
+    pub passed: bool,
 }
 
 pub(super) fn percent(value: f32) -> f64 {
@@ -174,7 +174,7 @@ pub(super) fn held(record: &Record, example: Example, point: &PointResult) -> Ve
             unit: row.unit,
             value,
             limit,
-            pass: row.side.fulfilled(value, limit),
+            passed: row.side.fulfilled(value, limit),
         })
     });
     rows.collect()

@@ -20,11 +20,11 @@ pub struct Certified {
     /// Who calibrated.
     pub laboratory: Option<String>,
     /// Day of the calibration.
-    #[serde(serialize_with = "as_text")]
+    #[serde(rename = "calibrated_day", serialize_with = "as_text")]
     #[schemars(with = "Option<String>")]
     pub calibrated: Option<Date>,
     /// Day the next one is due.
-    #[serde(serialize_with = "as_text")]
+    #[serde(rename = "due_day", serialize_with = "as_text")]
     #[schemars(with = "Option<String>")]
     pub due: Option<Date>,
     /// How it is traceable, in words; none where it does not say that it is.
@@ -51,9 +51,17 @@ pub struct CertifiedPoint {
     pub expanded_uncertainty_rel: f64,
     /// Its coverage factor.
     pub coverage_factor: f64,
-    /// Phase, rad; none where the certificate has none.
+    /// Phase, rad, in JSON degrees; none where the certificate has none.
+    #[serde(
+        rename = "phase_deg",
+        serialize_with = "calib_output::number::maybe_rad_as_deg"
+    )]
     pub phase_rad: Option<f64>,
-    /// Expanded uncertainty of the phase, rad.
+    /// Expanded uncertainty of the phase, rad; in JSON degrees.
+    #[serde(
+        rename = "expanded_uncertainty_phase_deg",
+        serialize_with = "calib_output::number::maybe_rad_as_deg"
+    )]
     pub expanded_uncertainty_phase_rad: Option<f64>,
     /// Its coverage factor.
     pub coverage_factor_phase: Option<f64>,
