@@ -111,21 +111,19 @@ def test_a_signature_is_verified_and_an_altered_record_refused(measured, place):
 
 
 def emulate(*options):
-    """`calib emulate` on a port of this computer: its address and its process."""
+    """`calib emulate` on a port of this computer, once it answers: its address and its process."""
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port = probe.getsockname()[1]
     process = subprocess.Popen(
         [os.environ["CALIB_TOOL"], "--quiet", "emulate", "--tcp", str(port), *options], stdout=subprocess.DEVNULL
     )
-    begun = time.monotonic()
-    while True:
-        try:
-            socket.create_connection(("127.0.0.1", port), 1).close()
-            return f"tcp:127.0.0.1:{port}", process
-        except OSError:
-            assert process.poll() is None and time.monotonic() - begun < 30
-            time.sleep(0.05)
+    address, begun = f"tcp:127.0.0.1:{port}", time.monotonic()
+    # It reads its flash while it starts, on a computer that runs other tests beside this one.
+    while command_line("-d", address, "--json", "records")[1] != 0:
+        assert process.poll() is None and time.monotonic() - begun < 30
+        time.sleep(0.05)
+    return address, process
 
 
 @pytest.fixture

@@ -103,7 +103,7 @@ impl Crate {
         needs
     }
 
-    /// The same between rooms: of each two files, the file or folder of either in the folder that has both.
+    /// Needs between rooms: of each two files, the file or folder of either in the folder that has both.
     fn needs_of_rooms(&self) -> BTreeMap<PathBuf, BTreeSet<PathBuf>> {
         let mut needs: BTreeMap<_, BTreeSet<_>> = BTreeMap::new();
         for (from, all) in self.needs() {

@@ -58,7 +58,7 @@ pub(crate) fn run(filter: &[String]) -> Result<()> {
     Ok(())
 }
 
-/// What tests are told by variables: the image, the tool, and programs of others where they are installed.
+/// Variables that name the image, the tool, and programs of others where they are installed.
 fn surroundings(
     image: &Path,
     interpreter: Option<PathBuf>,
