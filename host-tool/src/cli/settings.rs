@@ -70,7 +70,6 @@ mod tests {
         let mut before = text.clone();
         for (now, then) in [
             ("\"rectangular\"", "\"Rectangular\""),
-            ("distribution.special", "distribution.Special"),
             ("\"calibrator\"", "\"Calibrator\""),
             ("\"example2\"", "\"Example2\""),
         ] {
