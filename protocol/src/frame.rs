@@ -215,6 +215,21 @@ impl Receiver {
         self.buffer.get_mut(..self.length)
     }
 
+    /// Sequence number of a frame that has begun and not ended, once it is here.
+    pub fn begun(&self) -> Option<u16> {
+        let bytes = self.buffer.get(..self.length).filter(|_| !self.complete)?;
+        // COBS: a code, as many bytes less one, and a zero that is left out; of 255 no zero follows.
+        let (&code, rest) = bytes.split_first()?;
+        let sequence = match (code, rest) {
+            (1, [1, ..]) => [0, 0],
+            (1, [_, high, ..]) => [0, *high],
+            (2, [low, _, ..]) => [*low, 0],
+            (_, [low, high, ..]) => [*low, *high],
+            _ => return None,
+        };
+        Some(u16::from_le_bytes(sequence))
+    }
+
     /// Forgets a frame begun.
     pub fn clear(&mut self) {
         (self.length, self.overlong, self.complete) = (0, false, false);
@@ -263,6 +278,21 @@ mod tests {
             prop_assert_eq!(bytes.iter().position(|byte| *byte == 0), Some(bytes.len() - 1));
             let mut receiver = Receiver::new();
             prop_assert_eq!(receive(&mut receiver, &bytes), vec![(sequence, message)]);
+        }
+
+        #[test]
+        fn a_frame_that_has_begun_tells_its_number(
+            sequence in prop_oneof![any::<u16>(), 0..256_u16, (0..256_u16).prop_map(|high| high << 8)],
+            message in prop::collection::vec(any::<u8>(), 0..600),
+            here: prop::sample::Index,
+        ) {
+            let bytes = frame(sequence, &message);
+            let (begun, rest) = bytes.split_at(3 + here.index(bytes.len() - 3));
+            let mut receiver = Receiver::new();
+            prop_assert_eq!(receive(&mut receiver, begun), vec![]);
+            prop_assert_eq!(receiver.begun(), Some(sequence));
+            prop_assert_eq!(receive(&mut receiver, rest), vec![(sequence, message)]);
+            prop_assert_eq!(receiver.begun(), None);
         }
 
         #[test]

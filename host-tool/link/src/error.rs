@@ -113,12 +113,12 @@ pub enum LinkError {
         /// Bytes received.
         bytes: usize,
     },
-    /// Frames came back, but each answers an earlier request: a link or a computer that is slow.
+    /// Frames came back, but each answers an earlier request or had only begun: a link or a computer that is slow.
     #[error("every answer from {address} came too late ({late} answers in {attempts} attempts)")]
     Late {
         /// Address as given.
         address: String,
-        /// Answers to earlier requests.
+        /// Answers to earlier requests, and those that had begun.
         late: u32,
         /// Requests sent.
         attempts: u32,

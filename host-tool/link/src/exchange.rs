@@ -72,6 +72,8 @@ struct Tally {
     bytes: usize,
     damaged: u32,
     late: u32,
+    /// Answers that have begun when their time was over.
+    begun: u32,
 }
 
 /// Sequence numbers and buffers of a conversation.
@@ -220,8 +222,12 @@ impl Exchange {
             match outcome.map_err(|source| Failure::Link(self.closed(source)))? {
                 Attempt::Answered(answer) => return answer.map(|response| Some(*response)),
                 Attempt::Interrupted => return Ok(None),
-                Attempt::Quiet if self.transport.now() >= deadline => break,
-                Attempt::Quiet => {}
+                Attempt::Quiet => {
+                    tally.begun += u32::from(self.receiver.begun() == Some(self.sequence))
+                }
+            }
+            if self.transport.now() >= deadline {
+                break;
             }
         }
         Err(Failure::Link(self.gave_up(attempts, &tally)))
@@ -313,10 +319,11 @@ impl Exchange {
 
     fn gave_up(&self, attempts: u32, tally: &Tally) -> LinkError {
         let address = self.name();
-        match (tally.bytes, tally.damaged, tally.late) {
+        match (tally.bytes, tally.damaged, tally.late + tally.begun) {
             (0, ..) => LinkError::NoAnswer { address, attempts },
             (bytes, 0, 0) => LinkError::NotACalibrator { address, bytes },
-            (_, 0, late) => LinkError::Late {
+            // What comes of an answer that had begun is damaged by itself.
+            (_, damaged, late) if damaged <= tally.begun => LinkError::Late {
                 address,
                 late,
                 attempts,

@@ -117,6 +117,15 @@ fn answers_that_come_too_late_are_called_so() {
     assert!(late > 4, "{late}");
 }
 
+/// Of a computer that is busy, the first part of each answer is here when its time is over.
+#[test]
+fn answers_that_are_never_whole_are_no_other_device() {
+    let link = SlowLink::new(Way::Begun);
+    let failed = Client::new(Box::new(link)).status().expect_err("too late");
+    let late = |error: &Error| matches!(error, Error::Link(LinkError::Late { .. }));
+    assert!(late(&failed), "{failed}");
+}
+
 #[test]
 fn no_run_begins_past_a_stop_and_the_next_one_does() {
     let spec = || RunSpec {

@@ -14,6 +14,8 @@ pub(crate) enum Way {
     Drip(Duration),
     /// Intact frames with a number of long ago, one after each pause, and never an answer.
     OldFrames(Duration),
+    /// The answer to each request begins, and never ends.
+    Begun,
     /// Nothing comes.
     Silent,
 }
@@ -24,8 +26,8 @@ pub(crate) struct Seen {
     pub(crate) clock: Duration,
     /// Requests, each with the time it came.
     pub(crate) requests: Vec<(Duration, Request)>,
-    /// The answer to a stop, which comes as it should.
-    stop_answer: Option<Vec<u8>>,
+    /// Bytes that come as they should: the answer to a stop, or what has begun of one.
+    at_once: Option<Vec<u8>>,
     /// The answer to the last request, with another number.
     old_frame: Vec<u8>,
     /// Action of somebody at a time.
@@ -104,7 +106,12 @@ impl SlowLink {
         let mut seen = self.lock();
         let at = seen.clock;
         if request == Request::Stop && self.confirms {
-            seen.stop_answer = Some(encoded(frame.sequence, &Response::Done));
+            seen.at_once = Some(encoded(frame.sequence, &Response::Done));
+        }
+        if matches!(self.way, Way::Begun) {
+            let mut begun = encoded(frame.sequence, &Response::Status(Status::IDLE));
+            begun.truncate(begun.len() / 2);
+            seen.at_once = Some(begun);
         }
         seen.old_frame = encoded(old, &Response::Status(Status::IDLE));
         seen.requests.push((at, request));
@@ -127,14 +134,14 @@ impl Transport for SlowLink {
     }
 
     fn receive(&mut self, buffer: &mut [u8], timeout: Duration) -> io::Result<usize> {
-        if let Some(answer) = self.lock().stop_answer.take() {
+        if let Some(answer) = self.lock().at_once.take() {
             buffer[..answer.len()].copy_from_slice(&answer);
             return Ok(answer.len());
         }
         let (pause, whole) = match self.way {
             Way::Drip(pause) => (pause, false),
             Way::OldFrames(pause) => (pause, true),
-            Way::Silent => (Duration::from_secs(1 << 20), false),
+            Way::Begun | Way::Silent => (Duration::from_secs(1 << 20), false),
         };
         let left = (self.last + pause).saturating_sub(self.now());
         if left > timeout {
