@@ -25,6 +25,8 @@ def spark():
     if shutil.which("java") is None or importlib.util.find_spec("pyspark") is None:
         assert "CI" not in os.environ, "Java or PySpark is missing"
         pytest.skip("the fleet on Spark is not tested: apt-get install default-jre-headless, pip install pyspark==4.*")
+    # A minute of work is over before the second compiler of the JVM pays.
+    os.environ.setdefault("JAVA_TOOL_OPTIONS", "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC")
     session = cluster.session(2)
     session.sparkContext.setLogLevel("ERROR")
     yield session
