@@ -26,9 +26,6 @@ pub struct Known {
 /// Samples of the shortest measuring block: 0.2 s at 50 kS/s.
 const BLOCK_SAMPLES: f64 = 10_000.0;
 
-/// Codes of half the range of the output converter.
-const DRIVE_CODES: f64 = 2048.0;
-
 impl Known {
     /// All that a rig file states but its effects.
     pub fn of(rig: &Rig) -> Self {
@@ -108,9 +105,7 @@ impl Known {
     /// if it is known.
     pub fn output(&self, frequency_hz: f64, sample_rate_hz: f64) -> Complex64 {
         if let Some(rig) = &self.rig {
-            let response = oracle::drive_transfer(rig, frequency_hz)
-                / oracle::exciter_transfer(rig, frequency_hz)
-                * (DRIVE_CODES / rig.amplifier.full_scale_peak_v);
+            let response = oracle::output_transfer(rig, frequency_hz);
             return Complex64::new(response.re, response.im);
         }
         let angle = PI * frequency_hz / sample_rate_hz;

@@ -60,13 +60,11 @@ pub fn exciter_transfer(rig: &Rig, frequency_hz: f64) -> Complex<f64> {
     s * s * force_factor / (mechanics * coil + s * force_factor * force_factor)
 }
 
-/// Acceleration of the table per drive code, (m/s2)/code, including the hold of the converter and
-/// the reconstruction filter.
+/// Voltage at the coil over the commanded one: the hold of the converter and the reconstruction filter.
 ///
 /// # Equation
-/// `V / 2048 * sinc(f/fs) e^{-j pi f/fs} * B_n(f/fr) * exciter_transfer`, the first two being the
-/// zero-order hold.
-pub fn drive_transfer(rig: &Rig, frequency_hz: f64) -> Complex<f64> {
+/// `sinc(f/fs) e^{-j pi f/fs} * B_n(f/fr)`, the first two being the zero-order hold.
+pub fn output_transfer(rig: &Rig, frequency_hz: f64) -> Complex<f64> {
     let converter = &rig.converter;
     let angle = PI * frequency_hz / converter.sample_rate_hz;
     let hold = Complex::from_polar(angle.sin() / angle, -angle);
@@ -74,7 +72,17 @@ pub fn drive_transfer(rig: &Rig, frequency_hz: f64) -> Complex<f64> {
         converter.reconstruction_order,
         frequency_hz / converter.reconstruction_hz,
     );
-    rig.amplifier.full_scale_peak_v / 2048.0 * hold * filter * exciter_transfer(rig, frequency_hz)
+    hold * filter
+}
+
+/// Acceleration of the table per drive code, (m/s2)/code, including [`output_transfer`].
+///
+/// # Equation
+/// `V / 2048 * output_transfer * exciter_transfer`.
+pub fn drive_transfer(rig: &Rig, frequency_hz: f64) -> Complex<f64> {
+    rig.amplifier.full_scale_peak_v / 2048.0
+        * output_transfer(rig, frequency_hz)
+        * exciter_transfer(rig, frequency_hz)
 }
 
 /// Response of an anti-alias filter, from input connector to converter.
