@@ -9,6 +9,8 @@ use calib_host::emulated::EmulatedUsbTransport;
 use calib_link::Client;
 use calib_protocol::message::Request;
 use calib_twin::usb_host::{Enumerated, UsbHost};
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
 use std::time::Duration;
 
 /// Every so many resets a download is left alone and compared.
@@ -51,7 +53,7 @@ pub fn run(count: u32, points: &[PointSpec], quiet: &[u8]) -> Result<Toll, Fault
     let mut siege = Siege::begin(End::Serial, points)?;
     let host = UsbHost::new(siege.rigged.shared());
     let mut device = siege.replug()?;
-    let mut random = 1;
+    let mut random = ChaCha8Rng::seed_from_u64(1);
     loop {
         if siege.is_over()? {
             siege.judge(quiet)?;
@@ -73,12 +75,8 @@ pub fn run(count: u32, points: &[PointSpec], quiet: &[u8]) -> Result<Toll, Fault
     }
 }
 
-/// Numerical Recipes' linear congruence; its upper bits are good enough to spread instants.
-fn below(end: u64, random: &mut u64) -> u64 {
-    *random = random
-        .wrapping_mul(6_364_136_223_846_793_005)
-        .wrapping_add(1_442_695_040_888_963_407);
-    (*random >> 33) % end
+fn below(end: u64, random: &mut ChaCha8Rng) -> u64 {
+    random.next_u64() % end
 }
 
 impl Siege {
@@ -88,7 +86,7 @@ impl Siege {
         way: Way,
         host: &UsbHost,
         device: &mut Enumerated,
-        random: &mut u64,
+        random: &mut ChaCha8Rng,
     ) -> Result<(), Fault> {
         let offset = below(self.first.len() as u64, random) as u32;
         let question = frame(

@@ -2,6 +2,8 @@
 
 use super::outage::Cut;
 use calib_twin::runner::Emulator;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
 use std::time::Duration;
 
 /// A start, with the scan of a full area.
@@ -25,7 +27,7 @@ const COMES: u64 = 25;
 #[derive(Debug)]
 pub(super) struct Plan {
     number: u64,
-    random: u64,
+    random: ChaCha8Rng,
 }
 
 /// Actions at a cut besides a look at the second board.
@@ -43,7 +45,7 @@ impl Plan {
     pub(super) fn new(seed: u64) -> Self {
         Self {
             number: 0,
-            random: seed,
+            random: ChaCha8Rng::seed_from_u64(seed),
         }
     }
 
@@ -110,11 +112,6 @@ impl Plan {
     }
 
     fn draw(&mut self) -> u64 {
-        // Knuth's linear congruence (MMIX); its upper bits are good enough to spread instants.
-        self.random = self
-            .random
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        self.random >> 33
+        self.random.next_u64()
     }
 }

@@ -5,6 +5,8 @@
 //! for its noise, which only the way on the chip has: on the pin the rig's output stage has its own.
 //! Noise is drawn from the instant of the conversion, so that a run is the same run every time.
 
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// A flaw of one converter: added to what it would give, in this order. All zero is a sound one.
@@ -114,16 +116,10 @@ impl Flaw {
     }
 }
 
-/// Even noise of -1 to 1 of an instant (the finaliser of SplitMix64 by Steele, Lea and Flood, 2014).
+/// Even noise of -1 to 1, the same each time for an instant.
 fn even(now_ns: u64, salt: u64) -> f64 {
-    let mut bits = now_ns
-        .wrapping_mul(4)
-        .wrapping_add(salt)
-        .wrapping_mul(0x9E37_79B9_7F4A_7C15);
-    bits = (bits ^ (bits >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-    bits = (bits ^ (bits >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-    bits ^= bits >> 31;
-    (bits >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    let instant = now_ns.wrapping_mul(4).wrapping_add(salt);
+    ChaCha8Rng::seed_from_u64(instant).random_range(-1.0..1.0)
 }
 
 /// Faults that outlive a reset and a power cycle, until they are mended. A shared handle.
