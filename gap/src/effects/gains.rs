@@ -52,10 +52,6 @@ enum Slow {
     AmplifierGainDrift,
 }
 
-/// Time constants of a start, in s: those that the vocabulary has.
-const FASTEST_S: f64 = 60.0;
-const SLOWEST_S: f64 = 7200.0;
-
 /// A gain that comes to rest.
 enum WarmUp {
     Dut,
@@ -238,11 +234,12 @@ impl Effect for WarmUp {
     }
     fn applies(&self, facts: &Facts) -> bool {
         let seen = facts.ratio || (facts.drive_modulus && matches!(self, Self::Reference));
-        seen && facts.longest_s > FASTEST_S
+        seen && facts.longest_s > self.entry().parameters[1].lower
     }
     fn starts(&self, facts: &Facts) -> Vec<Start> {
-        let slowest_s = (0.7 * facts.longest_s).clamp(FASTEST_S, SLOWEST_S);
-        ratios(FASTEST_S.max(0.02 * slowest_s), slowest_s, 5)
+        let time_constant = &self.entry().parameters[1];
+        let slowest_s = (0.7 * facts.longest_s).clamp(time_constant.lower, time_constant.upper);
+        ratios(time_constant.lower.max(0.02 * slowest_s), slowest_s, 5)
             .into_iter()
             .map(|time_constant_s| Start::signed(vec![0.002, time_constant_s], 0))
             .collect()

@@ -2,6 +2,7 @@
 
 use super::run::Run;
 use crate::thresholds;
+use calib_effects::oscillator::INPUT_DELAY;
 use std::ops::{Index, IndexMut};
 
 /// A parameter of a simulated oscillator. Forces are in units of w0^2, time in units of 1/w0;
@@ -122,8 +123,8 @@ pub(super) fn bound(
             QuadraticDamping | CubicDamping | CoulombFriction => (0.0, f64::INFINITY),
             Saturation | Clipping => (0.0, f64::INFINITY),
             HighpassCorner => (0.0, half_rate),
-            // An output before its input is no delay; the vocabulary knows up to a second.
-            Delay => (0.0, 1.0 / record.interval_s),
+            // An output before its input is no delay.
+            Delay => (0.0, INPUT_DELAY.parameters[0].upper / record.interval_s),
             // Less would forget its state within rounding.
             Lag if moved.contains(&Lagging) => (thresholds::LAG_SEEN, record.input.len() as f64),
             Lag => (0.0, record.input.len() as f64),
