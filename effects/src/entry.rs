@@ -40,6 +40,24 @@ pub enum Stage {
 }
 
 impl Stage {
+    /// All stages.
+    pub const ALL: [Self; 8] = [
+        Self::Dut,
+        Self::Reference,
+        Self::Mount,
+        Self::Conditioning,
+        Self::Digitiser,
+        Self::Exciter,
+        Self::Amplifier,
+        Self::Environment,
+    ];
+
+    /// The stage with this name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|stage| stage.name() == name)
+    }
+
     /// Name as in JSON.
     #[must_use]
     pub fn name(self) -> &'static str {
@@ -67,6 +85,21 @@ impl Stage {
             Self::Exciter => "the shaker",
             Self::Amplifier => "the power amplifier",
             Self::Environment => "the surroundings",
+        }
+    }
+
+    /// A word or two, for a drawing.
+    #[must_use]
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Dut => "device under test",
+            Self::Reference => "reference",
+            Self::Mount => "mounting",
+            Self::Conditioning => "electronics",
+            Self::Digitiser => "converter",
+            Self::Exciter => "shaker",
+            Self::Amplifier => "power amplifier",
+            Self::Environment => "surroundings",
         }
     }
 }

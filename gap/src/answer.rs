@@ -3,6 +3,7 @@
 use crate::axis::Axis;
 use crate::estimation::gap::Gap;
 pub use crate::estimation::verdict::Verdict;
+use crate::observable::Group;
 use crate::pictures::Pictures;
 use crate::thresholds;
 use calib_effects::{Of, Scale, Stage, named};
@@ -16,7 +17,7 @@ pub struct Where {
     /// Stage of the chain it points to.
     pub stage: Stage,
     /// Observable in which it shows.
-    pub observable: &'static str,
+    pub observable: Group,
     /// Condition along which it varies.
     #[schemars(with = "&str")]
     pub axis: Axis,
@@ -74,9 +75,9 @@ pub struct Cause {
 pub struct OwnNoise {
     /// Scatter over the stated uncertainty, by observable. The gap and all probabilities go by the
     /// scatter.
-    pub factor_on_u: BTreeMap<&'static str, f64>,
+    pub factor_on_u: BTreeMap<Group, f64>,
     /// Share of its deviate that a row remembers of the row before it, by observable.
-    pub memory: BTreeMap<&'static str, f64>,
+    pub memory: BTreeMap<Group, f64>,
     /// Rows of the table, from 1, that nothing describes which describes the others; they are left
     /// out.
     pub outlier_rows: Vec<usize>,
@@ -86,7 +87,7 @@ pub struct OwnNoise {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct Remainder {
     /// Observable in which most of it is.
-    pub observable: &'static str,
+    pub observable: Group,
     /// Root mean square of it there, relative as the gap is.
     pub rms_rel: f64,
     /// Condition along which it varies.
@@ -121,7 +122,7 @@ pub struct Confirmation {
     /// By observable: `ratio` (complex, but for a constant gain, which is the measurand),
     /// `drive` (magnitude), `ref_harmonics` and `dut_harmonics` (absolute, relative to the
     /// fundamental), `dc` (over the peak of the channel).
-    pub by_observable: BTreeMap<&'static str, Distance>,
+    pub by_observable: BTreeMap<Group, Distance>,
     /// Points the simulated instrument refused.
     pub refused: usize,
 }

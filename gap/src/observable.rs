@@ -1,5 +1,8 @@
 //! The scalars that can be measured at a point, in the one order in which data are stored.
 
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::fmt;
 use std::ops::{Index, IndexMut};
 
 /// Channel of the digitiser.
@@ -17,7 +20,8 @@ impl Channel {
 }
 
 /// Observables that are measured together and reported as one.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Group {
     /// Output of the device under test over that of the reference.
     Ratio,
@@ -33,10 +37,12 @@ pub enum Group {
     Dc,
     /// Noise of both channels.
     Noise,
+    /// Output of a record; it has no points, so none of the observables.
+    Output,
 }
 
 impl Group {
-    /// All groups, in the order of their observables.
+    /// All groups of points, in the order of their observables.
     pub const ALL: [Self; 7] = [
         Self::Ratio,
         Self::Drive,
@@ -60,6 +66,29 @@ impl Group {
             Self::DutHarmonics => "dut_harmonics",
             Self::Dc => "dc",
             Self::Noise => "noise",
+            Self::Output => "output",
+        }
+    }
+
+    /// The group with this name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        let mut all = Self::ALL.into_iter().chain([Self::Output]);
+        all.find(|group| group.name() == name)
+    }
+
+    /// Words that need no training.
+    #[must_use]
+    pub const fn plain(self) -> &'static str {
+        match self {
+            Self::Ratio => "the ratio of the two transducers",
+            Self::Drive => "the motion per coil voltage",
+            Self::Current => "the coil current",
+            Self::RefHarmonics => "the distortion of the reference signal",
+            Self::DutHarmonics => "the distortion of the device's signal",
+            Self::Dc => "the mean of the signals",
+            Self::Noise => "the noise",
+            Self::Output => "the output",
         }
     }
 
@@ -73,6 +102,12 @@ impl Group {
     pub fn observables(self) -> impl Iterator<Item = Observable> {
         let all = Observable::ALL.into_iter();
         all.filter(move |observable| observable.group() == self)
+    }
+}
+
+impl fmt::Display for Group {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.pad(self.name())
     }
 }
 

@@ -1,6 +1,7 @@
 //! The first sentence of an answer: what does it, how much of the gap that is, and what is left.
 
 use crate::answer::{Answer, Cause, OwnNoise, Remainder, Verdict};
+use crate::observable::Group;
 use crate::thresholds;
 
 /// A number as a person reads it: three significant digits, with an exponent only below 1e-3 and from 1e6 on; a dash
@@ -135,10 +136,10 @@ fn left(left: Remainder) -> String {
 
 fn noise(noise: &OwnNoise) -> Vec<String> {
     let mut sentences = Vec::new();
-    let list = |map: &std::collections::BTreeMap<&'static str, f64>| {
+    let list = |map: &std::collections::BTreeMap<Group, f64>| {
         let items = map
             .iter()
-            .map(|(name, value)| format!("{} in {name}", three_digits(*value)));
+            .map(|(group, value)| format!("{} in {group}", three_digits(*value)));
         items.collect::<Vec<_>>().join(", ")
     };
     if !noise.factor_on_u.is_empty() {

@@ -2,7 +2,7 @@
 
 use super::case::{Outcome, VISIBLE_SIGMA};
 use super::reliability::{self, LEFT_SIGMA, Stratum};
-use calib_gap::Verdict;
+use calib_gap::{Group, Verdict};
 use std::fmt::Write;
 
 /// Probability from which a set is possible.
@@ -83,19 +83,19 @@ fn says_what(outcome: &Outcome) -> bool {
     let misread: Vec<usize> = truth.misread.iter().map(|row| row + 1).collect();
     // The noise columns state no uncertainty of their own and are as they should be.
     let every = [
-        "ratio",
-        "drive",
-        "current",
-        "ref_harmonics",
-        "dut_harmonics",
-        "dc",
+        Group::Ratio,
+        Group::Drive,
+        Group::Current,
+        Group::RefHarmonics,
+        Group::DutHarmonics,
+        Group::Dc,
     ];
-    let factor_right = |name: &&str| {
-        let found = noise.factor_on_u.get(*name).copied().unwrap_or(1.0);
+    let factor_right = |group: &Group| {
+        let found = noise.factor_on_u.get(group).copied().unwrap_or(1.0);
         (found / truth.factor.unwrap_or(1.0) - 1.0).abs() < FACTOR_OFF
     };
-    let memory_right = |name: &&str| {
-        let found = noise.memory.get(*name).copied().unwrap_or(0.0);
+    let memory_right = |group: &Group| {
+        let found = noise.memory.get(group).copied().unwrap_or(0.0);
         (found - truth.memory.unwrap_or(0.0)).abs() < MEMORY_OFF
     };
     outcome.is(Verdict::Data)

@@ -48,7 +48,7 @@ pub(crate) fn score_on(training: &Problem, testing: &Problem, nominal: &Fit, cho
         }
         let counts = group.is_response() || !has_response;
         pool(&mut pooled, compared, counts);
-        by_observable.insert(group.name(), gap);
+        by_observable.insert(group, gap);
     }
     let closed = if weights > 0.0 {
         Some(closed / weights)

@@ -119,10 +119,10 @@ fn settled_by(noise: &OwnNoise) -> String {
     }
     let worst = noise.factor_on_u.iter();
     let worst = worst.max_by(|a, b| a.1.total_cmp(b.1));
-    let (name, factor) = worst.map_or(("ratio", 1.0), |(name, factor)| (*name, *factor));
+    let (group, factor) = worst.map_or((Group::Ratio, 1.0), |(group, factor)| (*group, *factor));
     format!(
         "ten repetitions of one point without touching the rig: they should scatter by {factor:.1} \
-         times what is stated for {name}; state that"
+         times what is stated for {group}; state that"
     )
 }
 

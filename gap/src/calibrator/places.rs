@@ -37,7 +37,7 @@ pub(super) fn places(
         let tests = nominal.outcomes.len().max(1) as f64;
         places.push(Where {
             stage,
-            observable: observable.group().name(),
+            observable: observable.group(),
             axis,
             or_along: inseparable(problem, axis, observable),
             from,
@@ -67,7 +67,7 @@ pub(super) fn local(
         .into_iter()
         .map(|bump| Where {
             stage: places.first().map_or(Stage::Dut, |place| place.stage),
-            observable: bump.observable.group().name(),
+            observable: bump.observable.group(),
             axis: Axis::Frequency,
             or_along: Vec::new(),
             from: bump.from_hz,
@@ -107,7 +107,7 @@ pub(super) fn remainder(
         .map(|at| (left.residual[at] * problem.uncertainty(at)).powi(2));
     let rows = problem.data_of(observable).len().max(1) as f64;
     Some(Remainder {
-        observable: group.name(),
+        observable: group,
         rms_rel: (differences.sum::<f64>() / rows).sqrt(),
         axis,
         from,

@@ -1,5 +1,6 @@
 //! How large the gap is, before and after, as the answer states it.
 
+use crate::observable::Group;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -51,7 +52,7 @@ pub struct Gap {
     /// As above, after.
     pub rms_after: Option<f64>,
     /// By observable.
-    pub by_observable: BTreeMap<&'static str, GapSize>,
+    pub by_observable: BTreeMap<Group, GapSize>,
     /// By level, each fitted without it; empty where there is one level or none.
     ///
     /// Of points: r.m.s. acceleration, in m/s2. Of a record: largest output of a

@@ -60,7 +60,7 @@ impl Leaks {
             Group::RefHarmonics => self.harmonics[0][order()],
             Group::DutHarmonics => self.harmonics[1][order()],
             Group::Dc => self.dc_v2[usize::from(observable == Observable::DutDc)],
-            Group::Current | Group::Noise => 0.0,
+            Group::Current | Group::Noise | Group::Output => 0.0,
         }
     }
 

@@ -13,6 +13,7 @@ use crate::answer::{
 };
 use crate::axis::Axis;
 use crate::estimation::verdict::{Evidence, conclude, doubted, heard};
+use crate::observable::Group;
 use crate::others::share_with_others;
 use crate::pictures::{Pictures, Trace};
 use crate::thresholds;
@@ -56,7 +57,7 @@ pub(super) fn answer(
     let answer = Answer {
         summary: String::new(),
         remainder: partly.then(|| Remainder {
-            observable: "output",
+            observable: Group::Output,
             rms_rel: scored.gap.size.after_rel,
             axis: Axis::Amplitude,
             from: 0.0,
@@ -130,7 +131,7 @@ fn place(verdict: Verdict, steps: &[Step], held: &Run) -> Vec<Where> {
         .map_or(Stage::Dut, |t| TERMS[*t].entry.stage);
     vec![Where {
         stage,
-        observable: "output",
+        observable: Group::Output,
         axis: Axis::Amplitude,
         or_along: Vec::new(),
         from: 0.0,

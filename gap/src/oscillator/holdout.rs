@@ -10,6 +10,7 @@ use super::slices;
 use crate::dataset::{Dataset, Measured, Record};
 use crate::error::GapError;
 use crate::estimation::gap::{Gap, GapSize};
+use crate::observable::Group;
 use crate::thresholds;
 use std::collections::BTreeMap;
 
@@ -127,7 +128,7 @@ impl Scored {
             chosen: names_of(&last.fit),
             rms_before: Some(before),
             rms_after: Some(after),
-            by_observable: BTreeMap::from([("output", observable)]),
+            by_observable: BTreeMap::from([(Group::Output, observable)]),
             by_level,
             by_band,
         };

@@ -143,5 +143,6 @@ fn words(observable: Observable) -> &'static str {
         (Group::DutHarmonics, _) => "harmonics of the device under test",
         (Group::Dc, _) => "d.c.",
         (Group::Noise, _) => "noise",
+        (Group::Output, _) => "output",
     }
 }

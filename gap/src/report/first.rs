@@ -17,7 +17,7 @@ pub(super) fn place(place: &Where) -> String {
     format!(
         "It points to {} and shows in {}, {}.",
         place.stage.plain(),
-        plain::observable(place.observable),
+        place.observable.plain(),
         plain::range(place.axis, place.from, place.to)
     )
 }

@@ -19,6 +19,7 @@ mod tests;
 use crate::answer::Answer;
 use crate::axis::Axis;
 use crate::error::GapError;
+use crate::observable::Group;
 use crate::pictures::Pictures;
 use crate::summary::three_digits;
 use crate::thresholds;
@@ -115,7 +116,12 @@ fn environment() -> Environment<'static> {
     });
     environment.add_filter("chi", map::number);
     environment.add_filter("chi_class", map::class);
-    environment.add_filter("observable", plain::observable);
+    environment.add_filter("observable", |name: String| {
+        Group::named(&name).map_or("", Group::plain)
+    });
+    environment.add_filter("stage", |name: String| {
+        Stage::named(&name).map_or("", Stage::label)
+    });
     environment
 }
 

@@ -1,21 +1,7 @@
-//! Observables and conditions in words that need no training.
+//! Conditions in words that need no training.
 
 use crate::axis::Axis;
 use crate::summary::three_digits;
-
-/// Words for an observable.
-pub(super) fn observable(name: &str) -> &'static str {
-    match name {
-        "ratio" => "the ratio of the two transducers",
-        "drive" => "the motion per coil voltage",
-        "current" => "the coil current",
-        "ref_harmonics" => "the distortion of the reference signal",
-        "dut_harmonics" => "the distortion of the device's signal",
-        "dc" => "the mean of the signals",
-        "noise" => "the noise",
-        _ => "the output",
-    }
-}
 
 /// A range of a condition.
 pub(super) fn range(axis: Axis, from: f64, to: f64) -> String {

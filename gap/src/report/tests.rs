@@ -4,13 +4,13 @@ use super::report;
 use crate::answer::*;
 use crate::axis::Axis;
 use crate::estimation::gap::{Gap, GapSize, Slice};
-use crate::observable::Observable;
+use crate::observable::{Group, Observable};
 use crate::pictures::{Conditions, Datum, Pictures, Residuals, Trace};
 use calib_effects::Stage;
 
 const HOSTILE: &str = "a<b>&'\"</style><script>";
 
-fn gap(observable: &'static str) -> Gap {
+fn gap(observable: Group) -> Gap {
     let of_observable = GapSize {
         before_rel: 0.0791,
         after_rel: 0.003_14,
@@ -62,7 +62,7 @@ fn answer(verdict: Verdict, gap: Gap, pictures: Pictures) -> Answer {
         verdict,
         r#where: vec![Where {
             stage: Stage::Dut,
-            observable: "ratio",
+            observable: Group::Ratio,
             axis: Axis::Level,
             or_along: vec![Axis::Travel],
             from: 1.0,
@@ -185,8 +185,8 @@ fn every_verdict_has_its_page() {
             "the device under test and shows in the ratio of the two transducers, at levels from 1 to 10\u{a0}m",
         ),
     ] {
-        for (observable, pictures) in [("ratio", points()), ("output", record())] {
-            let is_record = observable == "output";
+        for (observable, pictures) in [(Group::Ratio, points()), (Group::Output, record())] {
+            let is_record = observable == Group::Output;
             let page = report(&[answer(verdict, gap(observable), pictures)]).expect("renders");
             let text = read(&page);
             assert!(text.contains(says), "{says} in {text}");
@@ -201,8 +201,8 @@ fn every_verdict_has_its_page() {
 
 #[test]
 fn several_answers_have_a_list_and_names_cannot_leave_their_place() {
-    let answers =
-        [points(), record()].map(|pictures| answer(Verdict::Explained, gap("ratio"), pictures));
+    let answers = [points(), record()]
+        .map(|pictures| answer(Verdict::Explained, gap(Group::Ratio), pictures));
     let page = report(&answers).expect("renders");
     let text = read(&page);
     assert!(
@@ -228,11 +228,11 @@ fn both_figures_of_a_confirmation_are_in_the_sentence_and_in_the_table() {
         after_rel: 0.003_14,
         rows: 18,
     };
-    let mut answer = answer(Verdict::Explained, gap("ratio"), points());
+    let mut answer = answer(Verdict::Explained, gap(Group::Ratio), points());
     let mut confirmation = Confirmation {
         effects: vec!["crosstalk=quadrature:<1".into()],
         gap: Some(distance),
-        by_observable: [("ratio", distance)].into(),
+        by_observable: [(Group::Ratio, distance)].into(),
         refused: 2,
     };
     answer.confirmation = Some(confirmation.clone());

@@ -3,7 +3,7 @@
 //! The larger sets are those of the benchmark `gap`.
 
 use super::case::{Outcome, run};
-use calib_gap::Verdict;
+use calib_gap::{Group, Verdict};
 
 /// Seed of these cases only.
 const SEED: u64 = 77_001;
@@ -162,7 +162,7 @@ fn noise_larger_than_stated_is_said_to_be_so() {
         let all: Vec<&Outcome> = outcomes.iter().collect();
         check(stratum, &all, 0.05, |o| {
             // The ratio has 420 data: its factor is known to 1/sqrt(840) = 3.5 %, three times.
-            let found = o.answer.noise.factor_on_u.get("ratio");
+            let found = o.answer.noise.factor_on_u.get(&Group::Ratio);
             o.is(Verdict::Data) && found.is_some_and(|f| (f / factor - 1.0).abs() < 0.1)
         });
     }

@@ -2,7 +2,7 @@
 //! uncertainties that are guessed, often no phase.
 
 use super::sealed::random::Random;
-use calib_gap::{Answer, Options, Verdict, diagnose};
+use calib_gap::{Answer, Group, Options, Verdict, diagnose};
 use num_complex::Complex64;
 use std::f64::consts::PI;
 use std::fmt::Write;
@@ -101,7 +101,7 @@ fn repetitions_show_a_noise_of_any_size() {
     let flat: Response = Box::new(|_| Complex64::new(2.0, 0.0));
     let answer = answer_at(&flat, &once.repeat(3), false, 15.0, 6);
     assert_eq!(answer.verdict, Verdict::Data, "{}", answer.summary);
-    let factor = answer.noise.factor_on_u["ratio"];
+    let factor = answer.noise.factor_on_u[&Group::Ratio];
     // 60 data: 2/sqrt(2 nu) of the factor are 18 %.
     assert!((factor / 15.0 - 1.0).abs() < 0.18, "{factor}");
 }

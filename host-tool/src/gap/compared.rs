@@ -1,7 +1,7 @@
 //! How far emulated records lie from measured rows.
 
 use super::measured::Row;
-use calib_gap::Distance;
+use calib_gap::{Distance, Group};
 use calib_twin::dataset::{Harmonic, Point};
 use std::collections::BTreeMap;
 use std::f64::consts::SQRT_2;
@@ -19,22 +19,22 @@ type Errors = Vec<f64>;
 type Measure = fn(&[(&Row, &Point)]) -> Errors;
 
 /// Distances of every observable that both sides have.
-pub(super) fn by_observable(rows: &[Compared<'_>]) -> BTreeMap<&'static str, Distance> {
+pub(super) fn by_observable(rows: &[Compared<'_>]) -> BTreeMap<Group, Distance> {
     let measures = [
-        ("ratio", ratio_errors as Measure),
-        ("drive", drive_errors),
-        ("ref_harmonics", |rows| harmonic_errors(rows, "ref")),
-        ("dut_harmonics", |rows| harmonic_errors(rows, "dut")),
-        ("dc", dc_errors),
+        (Group::Ratio, ratio_errors as Measure),
+        (Group::Drive, drive_errors),
+        (Group::RefHarmonics, |rows| harmonic_errors(rows, "ref")),
+        (Group::DutHarmonics, |rows| harmonic_errors(rows, "dut")),
+        (Group::Dc, dc_errors),
     ];
     let before: Vec<_> = rows.iter().map(|r| (r.measured, r.before)).collect();
     let after: Vec<_> = rows.iter().map(|r| (r.measured, r.after)).collect();
     let mut all = BTreeMap::new();
-    for (name, measure) in measures {
+    for (group, measure) in measures {
         let (b, a) = (measure(&before), measure(&after));
         if !b.is_empty() {
             all.insert(
-                name,
+                group,
                 Distance {
                     before_rel: rms(&b),
                     after_rel: rms(&a),
@@ -47,10 +47,10 @@ pub(super) fn by_observable(rows: &[Compared<'_>]) -> BTreeMap<&'static str, Dis
 }
 
 /// Ratio and drive as one figure.
-pub(super) fn overall(by_observable: &BTreeMap<&'static str, Distance>) -> Option<Distance> {
-    let both: Vec<&Distance> = ["ratio", "drive"]
+pub(super) fn overall(by_observable: &BTreeMap<Group, Distance>) -> Option<Distance> {
+    let both: Vec<&Distance> = [Group::Ratio, Group::Drive]
         .iter()
-        .filter_map(|name| by_observable.get(name))
+        .filter_map(|group| by_observable.get(group))
         .collect();
     let rows: usize = both.iter().map(|d| d.rows).sum();
     let pooled = |of: fn(&Distance) -> f64| {

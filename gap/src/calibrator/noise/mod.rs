@@ -110,7 +110,7 @@ pub(super) fn stated(noise: &Noise) -> OwnNoise {
     let by_group = |values: &[f64; Group::ALL.len()], none: f64| {
         let groups = Group::ALL.iter().zip(values);
         let found = groups.filter(|(_, value)| **value != none);
-        found.map(|(group, value)| (group.name(), *value)).collect()
+        found.map(|(group, value)| (*group, *value)).collect()
     };
     OwnNoise {
         factor_on_u: by_group(&noise.factor, 1.0),
