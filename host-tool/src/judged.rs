@@ -2,7 +2,9 @@
 //! completed by what the logbook knows of the sensor. Every verb and the page ask here.
 
 use crate::{Error, Result};
-use calib_certificate::{Around, Certificate, Known, Language, Particulars, SensorKind, Verdict};
+use calib_certificate::{
+    Around, Certificate, ConformityStatement, Known, Language, Particulars, SensorKind,
+};
 use calib_logbook::Logbook;
 use calib_protocol::record::{Record, RecordHead, RunLabels};
 use calib_record::hash_chain::{Evidence, Standing};
@@ -111,8 +113,11 @@ pub fn ask(
     Ok(())
 }
 
-/// The verdict on a record, if a tolerance was stated.
-pub fn verdict(record: &Record, particulars: &Particulars) -> Option<Verdict> {
+/// Conformity of a record, if a tolerance was stated.
+pub fn conformity_statement(
+    record: &Record,
+    particulars: &Particulars,
+) -> Option<ConformityStatement> {
     let language = particulars.language.unwrap_or(Language::En);
-    Certificate::from_record(record, particulars).verdict(language)
+    Certificate::from_record(record, particulars).conformity_statement(language)
 }

@@ -147,11 +147,11 @@ pub fn dead_from_the_start(points: &[PointResult]) -> Option<Reason> {
     let mut tried = points
         .iter()
         .map(|point| point.state)
-        .filter(|verdict| *verdict != cut_off)
+        .filter(|state| *state != cut_off)
         .peekable();
     tried.peek()?;
     tried
-        .all(|verdict| verdict == PointState::Refused(Reason::DutOpen))
+        .all(|state| state == PointState::Refused(Reason::DutOpen))
         .then_some(Reason::DutOpen)
 }
 
@@ -187,10 +187,10 @@ mod tests {
         assert_eq!(dead_from_the_start(&[measured, open, stopped]), None);
     }
 
-    /// A reason has one name: that of the code, in snake case in JSON and CSV, and without underscores in SCPI. A verdict
+    /// A reason has one name: that of the code, in snake case in JSON and CSV, and without underscores in SCPI. A state
     /// on a sensor has one name in each language.
     #[test]
-    fn reasons_and_verdicts_have_words_in_both_languages_and_in_the_docs() {
+    fn reasons_and_states_have_words_in_both_languages_and_in_the_docs() {
         let docs = include_str!("../../docs/troubleshooting.md");
         let said_alike = |key: &str| {
             let [english, german] = [Language::En, Language::De].map(|l| l.word(key).to_owned());

@@ -166,7 +166,7 @@ class Calibrator:
 
 
 class Run:
-    """How a run ended: ``state``, ``points``, ``verdict``, ``refusals`` (with what to do), and its ``record``."""
+    """How a run ended: ``state``, ``points``, ``conformity_statement``, ``refusals`` (with what to do), and its ``record``."""
 
     def __init__(self, document: Document, record: Optional[Record]) -> None:
         self.document = document

@@ -174,11 +174,11 @@ class Record:
         return f"<record {self.document['certificate']}, {len(self.points)} points>"
 
     def _repr_html_(self) -> Optional[str]:
-        """Plot and verdict, for a notebook."""
+        """Plot and conformity, for a notebook."""
         if not self.is_calibration:
             return None
-        verdict = self.document["verdict"]
-        words = f"{verdict['title']}: {verdict['because']}" if verdict else "no tolerance was stated"
+        stated = self.document["conformity_statement"]
+        words = f"{stated['title']}: {stated['because']}" if stated else "no tolerance was stated"
         valid = sum(point["state"] == "valid" for point in self.points)
         head = f"<b>{html.escape(self.document['certificate'])}</b>: {valid} of {len(self.points)} points valid"
         return f"<div>{head}; {html.escape(words)}<br>{self.plot()}</div>"

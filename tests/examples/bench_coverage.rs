@@ -26,8 +26,8 @@ fn main() -> Result<(), calib_tests::rigged::Fault> {
         tally.points,
         tally.phase_percent()
     );
-    for (seed, frequency_hz, verdict) in &tally.refused {
-        println!("refused: draw {seed} at {frequency_hz} Hz, {verdict:?}");
+    for (seed, frequency_hz, reason) in &tally.refused {
+        println!("refused: draw {seed} at {frequency_hz} Hz, {reason:?}");
     }
     println!(
         "{} refused; {:.0} s",

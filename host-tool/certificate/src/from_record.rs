@@ -210,7 +210,7 @@ fn outcome(
 ) -> Result<PointValues, Refusal> {
     match result.state {
         PointState::Refused(reason) => Err(Refusal(format!("{reason:?}"))),
-        // A result without a valid U is none, whatever the verdict says.
+        // A result without a valid U is none, whatever its state says.
         PointState::Valid => {
             values(result, of_sensor, basis).ok_or_else(|| Refusal("NotReportable".to_owned()))
         }

@@ -2,10 +2,11 @@
 //!
 //! ```text
 //! { "certificate", "marks", "missing", "replaces", "language", "item": {..}, "calibration": {..}, ..., "inverted",
-//!   "reference": {point}, "points": [{point}], "conformity", "verdict", "budget": {..},
+//!   "reference": {point}, "points": [{point}], "conformity", "conformity_statement", "budget": {..},
 //!   "as_found": {..}, "mounted_resonance": {..}, "record_chain", "remarks": [..] }
 //! ```
 
+use super::conformity_statement::ConformityStatement;
 use super::from_record::closing_remark;
 use super::kind::{Output, SensorKind};
 use super::marks::Mark;
@@ -13,7 +14,6 @@ use super::model::MountedResonance;
 use super::model::{self, Certificate, Point, Section, Severity};
 use super::particulars::Amendment;
 use super::rounding::Rounded;
-use super::verdict::Verdict;
 use super::words::Language;
 use crate::decision::{Limits, Stated};
 use calib_files::{Error, Result};
@@ -64,7 +64,7 @@ pub struct Document {
     /// Statements about the whole object.
     conformity: Stated,
     /// Conformity in words, with the reason; none when no tolerance was stated.
-    verdict: Option<Verdict>,
+    conformity_statement: Option<ConformityStatement>,
     /// Budget at the reference point.
     budget: Option<Budget>,
     /// Results before an adjustment.
@@ -102,7 +102,7 @@ impl Document {
                 .and_then(|index| points.get(index).cloned()),
             points,
             conformity: certificate.stated_conformity(),
-            verdict: certificate.verdict(language),
+            conformity_statement: certificate.conformity_statement(language),
             budget: certificate.budget.as_ref().map(Budget::from),
             as_found: as_found(certificate),
             mounted_resonance: certificate.resonance,

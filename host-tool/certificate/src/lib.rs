@@ -20,7 +20,7 @@
 //! | `harmonics` | what one channel bends and the other does not |
 //! | `resonance` | the mounted resonance a sweep shows, and what its shift adds to row 8 |
 //! | `standing` | the record's sum and its place in the chain |
-//! | `verdict` | the verdict on the whole object, for every output |
+//! | `conformity_statement` | conformity of the whole object in words, for every output |
 //! | `conformity` | judgement of the results by a decision rule |
 //! | `rounding` | two digits of U, the value to the same digit |
 //! | `kind` | accelerometers, velocity and displacement transducers, charge, current: quantity and unit |
@@ -40,6 +40,7 @@ mod band;
 mod budget;
 mod change;
 mod conformity;
+mod conformity_statement;
 mod csv;
 mod dcc;
 pub mod decision;
@@ -94,7 +95,6 @@ mod tests_uff;
 #[cfg(test)]
 mod tests_uncertainty;
 mod uff;
-mod verdict;
 mod words;
 
 pub use around::minute;
@@ -103,6 +103,7 @@ pub use calib_files::file::Existing;
 pub use change::{
     certified_uncertainty_rel, expanded_uncertainty_of_change_rel, with_certified_uncertainty,
 };
+pub use conformity_statement::ConformityStatement;
 pub use html::page;
 pub use json::{Document, said_of_closing};
 pub use kind::{OfSensor, Output, SensitivityUnit, SensorKind, Specified};
@@ -120,7 +121,6 @@ pub use standing::digest;
 pub use stored::day;
 pub use substitution::{Standard, StandardPoint, Substituted, substitute};
 pub use temperature::instrument_covers;
-pub use verdict::Verdict;
 pub use words::{Language, REASONS};
 
 use calib_files::Result;
@@ -240,8 +240,8 @@ pub struct Prepared {
     pub files: Vec<File>,
     /// Why the printed one has no DCC inside, and the way out.
     pub lack: Option<String>,
-    /// The verdict on the object, if a tolerance was stated.
-    pub verdict: Option<Verdict>,
+    /// Conformity of the object in words, if a tolerance was stated.
+    pub conformity_statement: Option<ConformityStatement>,
     /// The marks it carries, each with its reason.
     pub marks: Vec<(Mark, String)>,
 }
@@ -316,7 +316,7 @@ pub fn prepare(record: &Record, formats: &[Format], options: &Options) -> Result
     Ok(Prepared {
         files: files?,
         lack: lack.flatten(),
-        verdict: certificate.verdict(language),
+        conformity_statement: certificate.conformity_statement(language),
         marks: certificate
             .marks()
             .into_iter()

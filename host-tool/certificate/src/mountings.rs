@@ -134,8 +134,8 @@ impl Mountings {
                 let twin = twin(&other.points, &point.spec)?;
                 (twin.state != PointState::Valid).then_some(twin.state)
             });
-            if let (PointState::Valid, Some(verdict)) = (point.state, refused) {
-                point.state = verdict;
+            if let (PointState::Valid, Some(other)) = (point.state, refused) {
+                point.state = other;
             }
             if let Some(mean) = mountings.of(&point.spec) {
                 point.sensitivity_v_per_ms2 = mean.sensitivity_v_per_ms2 as f32;

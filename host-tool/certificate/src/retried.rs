@@ -1,7 +1,7 @@
 //! Records that measured again what had no result in another: one calibration, as it was completed.
 //!
 //! Points that have a result stay as they are; those that were refused or never tried are taken from where they have one.
-//! Each point says by its record where it is from. U and verdict are those of all: the change that any of the runs saw from
+//! Each point says by its record where it is from. U and conformity are those of all: the change that any of the runs saw from
 //! its first point to the repetition of it counts for every point, and the temperature that is farthest from 23 degrees
 //! Celsius.
 
@@ -215,15 +215,17 @@ mod tests {
         let particulars: Particulars = toml::from_str(tolerance).expect("TOML");
         let stated = |record: &Record| {
             let certificate = Certificate::from_record(record, &particulars);
-            let verdict = certificate.verdict(Language::En).expect("a tolerance");
-            (certificate.stated_conformity(), verdict.because)
+            let stated = certificate
+                .conformity_statement(Language::En)
+                .expect("a tolerance");
+            (certificate.stated_conformity(), stated.because)
         };
         let (mut first, later) = pair();
         first.untried.truncate(1);
         let (before, because) = stated(&first);
         assert_eq!(before, Stated::NotJudgeable);
         assert!(because.starts_with("2 of 3 points"), "{because}");
-        // Never tried alone keeps it from a verdict, too.
+        // Never tried alone keeps it from a statement, too.
         let mut begun = first.clone();
         begun.points[0].state = PointState::Valid;
         assert_eq!(stated(&begun).0, Stated::NotJudgeable);

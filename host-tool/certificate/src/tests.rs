@@ -199,7 +199,7 @@ fn judged(nominal_mv: f64, tolerance: &str, rule: &str, last: &[(f64, f64)]) -> 
 }
 
 #[test]
-fn the_verdict_says_what_decided() {
+fn the_statement_of_conformity_says_what_decided() {
     // 10.20026 / 9.63 - 1 = 5.92 %; conditional within U = 0.67 % of the limit of 5 %, not beyond.
     let minus = '\u{2212}';
     let cases = [
@@ -248,19 +248,21 @@ fn the_verdict_says_what_decided() {
     ];
     for (nominal, tolerance, title, because) in cases {
         let certificate = judged(nominal, tolerance, "", &[]);
-        let verdict = certificate.verdict(Language::En).expect("a tolerance");
+        let conformity = certificate
+            .conformity_statement(Language::En)
+            .expect("a tolerance");
         assert_eq!(
-            verdict.title, title,
-            "{tolerance} of {nominal}: {verdict:?}"
+            conformity.title, title,
+            "{tolerance} of {nominal}: {conformity:?}"
         );
-        assert!(verdict.because.contains(&because), "{verdict:?}");
+        assert!(conformity.because.contains(&because), "{conformity:?}");
         for format in [Format::Html, Format::Json] {
             let page = render(&certificate, format, Language::En).expect("renders");
             let page = String::from_utf8(page).expect("UTF-8");
             assert!(page.contains(title), "{format:?} {title}");
         }
     }
-    let german = judged(9.63, "5", "", &[]).verdict(Language::De);
+    let german = judged(9.63, "5", "", &[]).conformity_statement(Language::De);
     let german = german.expect("a tolerance");
     assert_eq!(german.title, "NICHT ERFÜLLT");
     assert!(
@@ -274,7 +276,7 @@ fn the_rule_is_the_laboratorys_and_the_tolerance_the_sensors() {
     let title = |rule: &str| {
         let certificate = judged(9.75, "5:nominal:reference,8:reference:500-5000", rule, &[]);
         certificate
-            .verdict(Language::En)
+            .conformity_statement(Language::En)
             .expect("a tolerance")
             .title
     };
@@ -282,19 +284,21 @@ fn the_rule_is_the_laboratorys_and_the_tolerance_the_sensors() {
     assert_eq!(title("[decision]\nrule = 'simple'"), "PASS");
     // 10.2 against 10.0 within 2.5 %, of the same frequency's last calibration.
     let last = [(160.0, 0.0100), (1000.0, 0.0100)];
-    let verdict = judged(1.0, "2.5:last", "[decision]\nrule = 'simple'", &last);
-    let verdict = verdict.verdict(Language::En).expect("a tolerance");
-    assert_eq!(verdict.title, "PASS");
+    let certificate = judged(1.0, "2.5:last", "[decision]\nrule = 'simple'", &last);
+    let conformity = certificate
+        .conformity_statement(Language::En)
+        .expect("a tolerance");
+    assert_eq!(conformity.title, "PASS");
     assert!(
-        verdict
+        conformity
             .because
             .starts_with("+2.00 % of the last calibration"),
-        "{verdict:?}"
+        "{conformity:?}"
     );
     // A rule alone judges nothing.
     let particulars: Particulars = toml::from_str("[decision]\nrule = 'simple'").expect("TOML");
     let certificate = Certificate::from_record(&record(&[160.0]), &particulars);
-    assert_eq!(certificate.verdict(Language::En), None);
+    assert_eq!(certificate.conformity_statement(Language::En), None);
     assert!(
         certificate
             .remarks

@@ -34,11 +34,13 @@ fn a_run_of_a_list_is_judged_again_by_the_limits_in_its_record() {
     // 10.2 is 5.9 % above 9.632.
     assert_eq!(stated(&of_a_list(0.009_632), &nothing), Stated::Fail);
     let certificate = Certificate::from_record(&of_a_list(0.009_632), &nothing);
-    let verdict = certificate.verdict(Language::En).expect("it was judged");
+    let conformity = certificate
+        .conformity_statement(Language::En)
+        .expect("it was judged");
     assert!(
-        verdict.because.starts_with("+5.90 % of nominal"),
+        conformity.because.starts_with("+5.90 % of nominal"),
         "{}",
-        verdict.because
+        conformity.because
     );
     let document = Document::new(&certificate, Language::En);
     let text = serde_json::to_string(&document).expect("JSON");

@@ -263,7 +263,7 @@ fn the_numbers_of_a_point_are_the_same_in_every_format() {
     }
 }
 
-/// Marks, remarks, verdict and statements are in every format that people or programs read whole.
+/// Marks, remarks, conformity and statements are in every format that people or programs read whole.
 #[test]
 fn every_statement_in_words_is_the_same_in_every_format() {
     for (language, standard) in CASES.map(|(language, has)| (language, has.then(standard))) {
@@ -332,9 +332,9 @@ fn every_statement_in_words_is_the_same_in_every_format() {
             );
             everywhere(stated, true);
         }
-        let verdict = &written.json["verdict"];
+        let conformity = &written.json["conformity_statement"];
         for key in ["title", "because"] {
-            everywhere(verdict[key].as_str().expect("words"), false);
+            everywhere(conformity[key].as_str().expect("words"), false);
         }
         let mut statements = 0;
         for section in [

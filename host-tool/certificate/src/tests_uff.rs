@@ -15,9 +15,9 @@ print(json.dumps({'type': int(s['type']), 'func': int(s['func_type']), 'x': [flo
   'id1': s['id1'], 'unit': s['ordinate_axis_units_lab'].strip(), 'abscissa': int(s['abscissa_spec_data_type'])}))
 ";
 
-/// A file for modal software said nothing of a verdict that every other format has.
+/// A file for modal software said nothing of the conformity that every other format has.
 #[test]
-fn the_verdict_stands_behind_the_date() {
+fn the_conformity_stands_behind_the_date() {
     for (tolerance_percent, title) in [(0.1, "NOT JUDGEABLE"), (5.0, "PASS"), (-1.0, "")] {
         let decision = format!(
             "[decision]\nspecification = 'nominal'\nnominal_mv_per_ms2 = 10.2\ntolerance_percent = {tolerance_percent}"

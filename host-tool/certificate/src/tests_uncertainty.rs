@@ -195,7 +195,9 @@ fn a_response_is_judged_by_the_uncertainty_of_the_deviation() {
             .expect("S")
     ));
     assert_eq!(both["points"][1]["conformity"], "conditional_pass");
-    let because = relative["verdict"]["because"].as_str().expect("words");
+    let because = relative["conformity_statement"]["because"]
+        .as_str()
+        .expect("words");
     assert!(
         because.contains("of the reference point") || because.contains("reference"),
         "{because}"

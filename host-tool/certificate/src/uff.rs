@@ -131,12 +131,12 @@ fn identification(certificate: &Certificate) -> [String; 5] {
     let replaces = amended.map_or_else(String::new, |amended| {
         format!(", replaces {}", amended.certificate)
     });
-    let verdict = certificate.verdict(Language::En);
-    let verdict = verdict.map_or_else(String::new, |verdict| format!(", {}", verdict.title));
+    let conformity = certificate.conformity_statement(Language::En);
+    let conformity = conformity.map_or_else(String::new, |stated| format!(", {}", stated.title));
     let lines = [
         object,
         format!("certificate {}{warning}{replaces}", certificate.number),
-        format!("{}{verdict}", said("calibration", "date")),
+        format!("{}{conformity}", said("calibration", "date")),
         format!(
             "{}{}",
             by_substitution(certificate),

@@ -6,8 +6,8 @@ use super::substitute::Known;
 use super::{Context, time};
 use calib_certificate::decision::Stated;
 use calib_certificate::{
-    self as certificate, Existing, Format, Language, Mark, Options, Prepared, Seal, Standard,
-    Verdict,
+    self as certificate, ConformityStatement, Existing, Format, Language, Mark, Options, Prepared,
+    Seal, Standard,
 };
 use calib_host::amendment::Amended;
 use calib_host::issuing::{self, Entries};
@@ -195,14 +195,14 @@ impl CertificateVerb {
         for (_, said) in &prepared.marks {
             context.remark(said);
         }
-        if let Some(verdict) = &prepared.verdict {
-            context.remark(&terminal::verdict(verdict));
+        if let Some(conformity) = &prepared.conformity_statement {
+            context.remark(&terminal::conformity_statement(conformity));
         }
         if let Some(journal) = journal {
             context.remark(&journal);
         }
         print(context, files)?;
-        passed(prepared.verdict.as_ref())
+        passed(prepared.conformity_statement.as_ref())
     }
 
     /// Certificate to be replaced.
@@ -369,7 +369,9 @@ pub(super) fn laboratory_file(named: Option<PathBuf>) -> Option<PathBuf> {
 }
 
 /// An error unless a conformity that was asked for is a pass.
-pub(super) fn passed(verdict: Option<&Verdict>) -> Result<()> {
-    let other = verdict.filter(|verdict| verdict.conformity != Stated::Pass);
-    Error::not_passed(other.map(|verdict| format!("{}: {}", verdict.title, verdict.because)))
+pub(super) fn passed(conformity: Option<&ConformityStatement>) -> Result<()> {
+    let other = conformity.filter(|conformity| conformity.conformity != Stated::Pass);
+    Error::not_passed(
+        other.map(|conformity| format!("{}: {}", conformity.title, conformity.because)),
+    )
 }

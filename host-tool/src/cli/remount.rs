@@ -3,7 +3,7 @@
 use super::hand::done_by_hand;
 use super::measure::Kept;
 use calib_certificate::{
-    Certificate, Language, MountingScatter, Particulars, Verdict, mounting_scatter,
+    Certificate, ConformityStatement, Language, MountingScatter, Particulars, mounting_scatter,
 };
 use calib_core::point::PointResult;
 use calib_host::{Error, Result};
@@ -58,12 +58,15 @@ impl Mountings {
         })
     }
 
-    /// The verdict on the device by all its mountings, if a tolerance was stated.
-    pub(super) fn verdict(&self, particulars: &Particulars) -> Option<Verdict> {
+    /// Conformity of the device by all its mountings, if a tolerance was stated.
+    pub(super) fn conformity_statement(
+        &self,
+        particulars: &Particulars,
+    ) -> Option<ConformityStatement> {
         let (first, others) = self.records.split_first()?;
         let language = particulars.language.unwrap_or(Language::En);
         let certificate = Certificate::from_records(first, others, particulars).ok()?;
-        certificate.verdict(language)
+        certificate.conformity_statement(language)
     }
 }
 

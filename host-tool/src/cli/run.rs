@@ -7,8 +7,8 @@ use super::remount::{self, Mountings, Remounting};
 use super::substitute::{self, Known as Standard, Substitution};
 use super::{Context, logbook, progress, progress::RunProgress, source, text, time};
 use calib_certificate::{
-    Certificate, Language, MountedResonance, Particulars, SensorKind, Verdict, instrument_covers,
-    said_of_closing,
+    Certificate, ConformityStatement, Language, MountedResonance, Particulars, SensorKind,
+    instrument_covers, said_of_closing,
 };
 use calib_core::point::{ExcitationKind, PointSpec};
 use calib_core::settings::Settings;
@@ -33,7 +33,7 @@ pub(crate) struct Run {
     #[arg(long, short, value_name = "FILE")]
     points: Option<PathBuf>,
     /// Measures again only what this record refused or never tried, because it ended early: a file, or the number of a
-    /// record. Device and mounting are those of the record unless stated; the verdict is that of both.
+    /// record. Device and mounting are those of the record unless stated; the conformity is that of both.
     #[arg(long, value_name = "RECORD", conflicts_with_all = ["points", "level", "excitation"])]
     retry: Option<PathBuf>,
     /// Set acceleration of points that state none, m/s2 r.m.s.
@@ -119,8 +119,8 @@ pub(super) struct RunResult {
     unit: &'static str,
     /// Every point in the order measured.
     points: Vec<StatedPoint>,
-    /// The verdict on the sensor by its tolerance; none when it has none.
-    verdict: Option<Verdict>,
+    /// Conformity of the sensor by its tolerance; none when it has none.
+    conformity_statement: Option<ConformityStatement>,
     /// Why points were refused, and what to do about it.
     refusals: Vec<Refused>,
     /// Change until the first point was repeated at the end, in words; none where nothing changed.
@@ -192,9 +192,9 @@ impl Run {
         });
         let of_record = |record: &Record| Certificate::from_record(record, &particulars);
         let certificate = whole.as_ref().map(of_record);
-        let verdict = |record: &Record| match &completed {
-            Some(_) => judged::verdict(record, &particulars),
-            None => mountings.verdict(&particulars),
+        let conformity = |record: &Record| match &completed {
+            Some(_) => judged::conformity_statement(record, &particulars),
+            None => mountings.conformity_statement(&particulars),
         };
         let result = RunResult {
             record_id: outcome.record_id,
@@ -206,7 +206,7 @@ impl Run {
                 Some(certificate) => stating.certified(&outcome.points, certificate),
                 None => stating.all(&outcome.points),
             },
-            verdict: whole.as_ref().and_then(verdict),
+            conformity_statement: whole.as_ref().and_then(conformity),
             refusals: refusals::of(&outcome.points),
             closing: kept
                 .as_ref()
@@ -227,7 +227,7 @@ impl Run {
         let certified = certificate.as_ref().and_then(said_of_certificate);
         progress::print_result(context, &result, || said(&result, certified))?;
         judge(&outcome, points.len())?;
-        passed(result.verdict.as_ref())
+        passed(result.conformity_statement.as_ref())
     }
 
     fn standard(&self, context: &Context) -> Result<Option<Standard>> {
@@ -426,7 +426,7 @@ fn frequencies(refused: &Refused) -> String {
     format!("{} Hz: {}", hz.join(", "), refused.reason_text)
 }
 
-/// Text printed after the points of a run: what was refused and why, the verdict on the sensor, and
+/// Text printed after the points of a run: what was refused and why, the conformity of the sensor, and
 /// where the record is.
 fn said(result: &RunResult, certified: Option<String>) -> String {
     let advice = |refused: &Refused| format!("{}\n  {}", frequencies(refused), refused.remedy);
@@ -436,7 +436,12 @@ fn said(result: &RunResult, certified: Option<String>) -> String {
     lines.extend(shown.map(|said| format!("mounted resonance, effective: {said}")));
     lines.extend(result.remounting.as_ref().map(remount::text));
     lines.extend(result.substitution.as_ref().map(substitute::text));
-    lines.extend(result.verdict.as_ref().map(terminal::verdict));
+    lines.extend(
+        result
+            .conformity_statement
+            .as_ref()
+            .map(terminal::conformity_statement),
+    );
     let next = match result.logbook_record {
         Some(_) => "kept in the logbook".to_owned(),
         None => format!("calib download {}", result.record_id),

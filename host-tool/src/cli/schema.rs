@@ -220,12 +220,14 @@ mod tests {
             assert!(!found.is_empty(), "{name} has no keys");
             found.retain(|key| match key.as_str() {
                 // The settings are those of the settings file; velocity is in m/s.
-                "phase_rad" | "expanded_uncertainty_phase_rad" | "value_phase_rad" => false,
+                "phase_rad" | "expanded_uncertainty_phase_rad" | "value_phase_rad" => {
+                    !["settings", "show", "logbook-instruments"].contains(&name)
+                }
                 "velocity_ms" | "velocity_peak_ms" => false,
                 // It has `rms` and `peak` below.
                 "acceleration_ms2" => name != "nomogram",
-                // That of a diagnosis, or on a sensor; a point has a state.
-                "verdict" => false,
+                // That of a diagnosis; a point has a state, and a sensor a conformity.
+                "verdict" => !name.starts_with("gap"),
                 key => unwanted
                     .iter()
                     .any(|end| key.ends_with(end) || key.starts_with(end)),

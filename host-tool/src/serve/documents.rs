@@ -224,7 +224,7 @@ fn seal(house: &House, issues: bool) -> Result<Option<Seal>> {
     }
 }
 
-/// A record's results with the verdict on its sensor, as the certificate states them.
+/// A record's results with the conformity of its sensor, as the certificate states them.
 ///
 /// # Errors
 /// [`Error::Input`] when the record is damaged, or the laboratory states nonsense.

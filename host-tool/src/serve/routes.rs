@@ -10,7 +10,7 @@
 //! | `GET /api/history/SERIAL` | drift of a sensor at 160 Hz |
 //! | `GET /api/assurance`, `/api/assurance/report` | check standards and references: how each stands; the same as a page that stands alone |
 //! | `GET /api/refusals?language=de` | every reason of a refusal in words, and what to do |
-//! | `GET /api/judged` | results of the last run with the verdict; no certificate is issued |
+//! | `GET /api/judged` | results of the last run with the conformity; no certificate is issued |
 //! | `GET /api/certificate/html`, `/api/records/ID/certificate/html` | certificate of the last run, or of a record of the logbook, to look at |
 //! | `GET /api/certificates` | certificates that were issued, and which of them were replaced |
 //! | `GET /api/amended/html?replaces=NUMBER&reason=TEXT` | what would take the place of an issued certificate, to look at |

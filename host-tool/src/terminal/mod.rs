@@ -2,10 +2,10 @@
 
 mod capture;
 mod change;
+mod conformity_statement;
 mod history;
 mod record;
 mod reference;
-mod verdict;
 
 use std::io::IsTerminal;
 
@@ -25,7 +25,7 @@ pub fn columns() -> usize {
 
 pub use capture::show as show_capture;
 pub use change::show_change;
+pub use conformity_statement::show as conformity_statement;
 pub use history::{show as show_history, show_changes};
 pub use record::show;
 pub use reference::show as reference;
-pub use verdict::show as verdict;

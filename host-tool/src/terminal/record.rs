@@ -1,7 +1,7 @@
 //! A record on one screen: the response with U, and the table of its points.
 
 use super::COLUMNS;
-use super::verdict::{within, wrapped};
+use super::conformity_statement::{within, wrapped};
 use calib_certificate::decision::Stated;
 use calib_certificate::model::{Point, PointValues};
 use calib_certificate::{Certificate, Language, SensitivityUnit};
@@ -20,8 +20,8 @@ const ROWS: usize = 14;
 pub fn show(record: &Record, certificate: &Certificate, width: usize) -> String {
     let unit = certificate.kind.unit();
     let mut text = wrapped_lines(&heading(record, certificate), width);
-    if let Some(verdict) = certificate.verdict(Language::En) {
-        text += &within(&verdict, width);
+    if let Some(conformity) = certificate.conformity_statement(Language::En) {
+        text += &within(&conformity, width);
         text += "\n\n";
     }
     text += &response(certificate, unit, width);
@@ -37,18 +37,18 @@ pub fn show(record: &Record, certificate: &Certificate, width: usize) -> String 
     let of_s = format!("S/({})", unit.name());
     let _ = match narrow {
         // The line above has the unit.
-        true => writeln!(text, "{:>7} {:>10} {:>5} verdict", "f/Hz", "S", "U/%"),
+        true => writeln!(text, "{:>7} {:>10} {:>5} state", "f/Hz", "S", "U/%"),
         false => writeln!(
             text,
-            "   f/Hz   a/(m/s2)  {of_s:>13}    U/%    phase/deg  verdict"
+            "   f/Hz   a/(m/s2)  {of_s:>13}    U/%    phase/deg  state"
         ),
     };
     for point in &certificate.points {
         let measured = record.points.iter().find(|measured| is(point, measured));
-        let verdict = verdict(certificate, point, measured);
+        let state = state(certificate, point, measured);
         text += &match narrow {
-            true => narrow_line(point, unit, &verdict, width),
-            false => line(point, unit, &verdict),
+            true => narrow_line(point, unit, &state, width),
+            false => line(point, unit, &state),
         };
     }
     text
@@ -129,7 +129,7 @@ fn is(point: &Point, measured: &PointResult) -> bool {
         )
 }
 
-fn verdict(certificate: &Certificate, point: &Point, measured: Option<&PointResult>) -> String {
+fn state(certificate: &Certificate, point: &Point, measured: Option<&PointResult>) -> String {
     match certificate.conformity_of(point) {
         Stated::NotSpecified | Stated::NotJudgeable if point.outcome.is_err() => {
             measured.map_or_else(String::new, |m| m.state.to_string())
@@ -140,39 +140,39 @@ fn verdict(certificate: &Certificate, point: &Point, measured: Option<&PointResu
 }
 
 /// Level and phase are left out.
-fn narrow_line(point: &Point, unit: SensitivityUnit, verdict: &str, width: usize) -> String {
+fn narrow_line(point: &Point, unit: SensitivityUnit, state: &str, width: usize) -> String {
     let frequency = point.nominal_frequency_hz;
     let text = match &point.outcome {
         Ok(values) => format!(
-            "{frequency:>7} {:>10.4} {:>5.2} {verdict}",
+            "{frequency:>7} {:>10.4} {:>5.2} {state}",
             unit.of_si(values.sensitivity),
             values.expanded_uncertainty_percent,
         ),
-        Err(_) => format!("{frequency:>7} {verdict}"),
+        Err(_) => format!("{frequency:>7} {state}"),
     };
     if text.chars().count() <= width {
         return text + "\n";
     }
     // What does not fit goes on below, under what it belongs to.
-    let words = wrapped(verdict, width - INDENT);
+    let words = wrapped(state, width - INDENT);
     let lines: String = words
         .lines()
         .map(|line| format!("{:INDENT$}{line}\n", ""))
         .collect();
-    format!("{}\n{lines}", text.trim_end_matches(verdict).trim_end())
+    format!("{}\n{lines}", text.trim_end_matches(state).trim_end())
 }
 
-fn line(point: &Point, unit: SensitivityUnit, verdict: &str) -> String {
+fn line(point: &Point, unit: SensitivityUnit, state: &str) -> String {
     let frequency = point.nominal_frequency_hz;
     match &point.outcome {
         Ok(values) => format!(
-            "{frequency:>7}  {:>9.3}  {:>13.5}  {:>5.2}  {:>11.3}  {verdict}\n",
+            "{frequency:>7}  {:>9.3}  {:>13.5}  {:>5.2}  {:>11.3}  {state}\n",
             point.acceleration_ms2,
             unit.of_si(values.sensitivity),
             values.expanded_uncertainty_percent,
             phase_deg(values),
         ),
-        Err(_) => format!("{frequency:>7}  {verdict}\n"),
+        Err(_) => format!("{frequency:>7}  {state}\n"),
     }
 }
 

@@ -480,8 +480,8 @@ fn a_sensor_out_of_its_tolerance_fails_wherever_one_looks() {
     let passed = go("run --sensor P --points points.csv --temperature 23 --json");
     assert_eq!(passed.status.code(), Some(0), "{}", text(&passed.stderr));
     let passed = json(&passed);
-    assert_eq!(passed["verdict"]["title"], "PASS");
-    assert_eq!(passed["verdict"]["frequency_hz"], 160.0);
+    assert_eq!(passed["conformity_statement"]["title"], "PASS");
+    assert_eq!(passed["conformity_statement"]["frequency_hz"], 160.0);
     let shown = go("run --sensor P --points points.csv --temperature 23");
     let shown = text(&shown.stdout);
     assert!(

@@ -108,9 +108,9 @@ fn retry_measures_what_was_refused_and_nothing_else() {
     assert!(text(&nothing.stderr).contains("a result for every point"));
 }
 
-/// Before: a list that ended early was retried at what was refused alone, and the verdict was that of these points.
+/// Before: a list that ended early was retried at what was refused alone, and the conformity was that of these points.
 #[test]
-fn what_was_never_tried_is_measured_too_and_the_verdict_is_that_of_both() {
+fn what_was_never_tried_is_measured_too_and_the_conformity_is_that_of_both() {
     let folder = tempfile::tempdir().expect("folder");
     let mut dead = Device::new();
     dead.silent_hz = vec![160.0];
@@ -125,7 +125,7 @@ fn what_was_never_tried_is_measured_too_and_the_verdict_is_that_of_both() {
     let run =
         "run --points p.csv --serial S1 --operator N. --temperature 23 --laboratory l.toml --json";
     let first: serde_json::Value = serde_json::from_slice(&go(run).stdout).expect("JSON");
-    assert_eq!(first["verdict"]["conformity"], "not_judgeable");
+    assert_eq!(first["conformity_statement"]["conformity"], "not_judgeable");
     assert!(
         first["points"].as_array().expect("points").len() < 3,
         "ended early"
@@ -138,7 +138,7 @@ fn what_was_never_tried_is_measured_too_and_the_verdict_is_that_of_both() {
     let points = again["points"].as_array().expect("points");
     let hz: Vec<&serde_json::Value> = points.iter().map(|point| &point["frequency_hz"]).collect();
     assert_eq!(hz, [160.0, 315.0, 1250.0]);
-    assert_eq!(again["verdict"]["conformity"], "pass");
+    assert_eq!(again["conformity_statement"]["conformity"], "pass");
     // What was stated in the morning is stated still.
     let record = again["record_id"].to_string();
     go(&format!("download {record}"));

@@ -413,7 +413,7 @@ fn sensors_of_every_kind_are_registered_and_measured_in_their_unit() {
     let records: Value = serde_json::from_str(&server.get("/api/records").1).expect("JSON");
     assert_eq!(records[0]["unit"], "pC/(m/s2)");
     let judged: Value = serde_json::from_str(&server.get("/api/judged").1).expect("JSON");
-    assert_eq!(judged["verdict"]["conformity"], "pass");
+    assert_eq!(judged["conformity_statement"]["conformity"], "pass");
 }
 
 #[test]

@@ -32,10 +32,10 @@ fn main() -> Result<(), Fault> {
     page.wait_for_text("#link", "connected to")?;
     register(&page)?;
     moving::calibration(&page, &folder.join("page.gif"))?;
-    page.wait_for_text("#verdict", "PASS")?;
+    page.wait_for_text("#conformity", "PASS")?;
     certificate(&page, folder)?;
     page.open(&server.url)?;
-    page.wait_for_text("#verdict", "PASS")?;
+    page.wait_for_text("#conformity", "PASS")?;
     finished(&page, folder)?;
     running(&page, folder)
 }

@@ -8,15 +8,15 @@ use std::fs::File;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-/// Time that a point is shown, and the verdict at the end.
+/// Time that a point is shown, and the conformity at the end.
 const POINT: Duration = Duration::from_millis(300);
-const VERDICT: Duration = Duration::from_secs(4);
+const CONFORMITY: Duration = Duration::from_secs(4);
 /// Effort of the encoder, 1 to 30: the colours of the page are few.
 const SPEED: i32 = 10;
 /// A default list takes a minute and a half on an emulated calibrator beside a browser.
 const LONGEST: Duration = Duration::from_secs(300);
 
-/// Starts a calibration, and takes a picture of each point and of the verdict.
+/// Starts a calibration, and takes a picture of each point and of the conformity.
 ///
 /// # Errors
 /// The page does not do what it should, or the file cannot be written.
@@ -39,9 +39,9 @@ pub(crate) fn calibration(page: &Browser, path: &Path) -> Result<(), Fault> {
         }
         std::thread::sleep(Duration::from_millis(100));
     }
-    page.wait_for_text("#verdict", "PASS")?;
+    page.wait_for_text("#conformity", "PASS")?;
     top(page)?;
-    encoder.encode_frame(frame(page, VERDICT)?)?;
+    encoder.encode_frame(frame(page, CONFORMITY)?)?;
     println!("{}", path.display());
     Ok(())
 }

@@ -74,7 +74,7 @@ fn channels_that_cannot_be_aligned_measure_nothing() -> Result<(), Fault> {
 }
 
 #[test]
-fn a_run_in_which_the_alignment_is_lost_ends_with_that_verdict() -> Result<(), Fault> {
+fn a_run_in_which_the_alignment_is_lost_ends_with_that_reason() -> Result<(), Fault> {
     let mut rigged = Rigged::with_rig(&Rig::standard())?;
     rigged.client.start(run_of_one())?;
     rigged.client.wait(Duration::from_millis(450))?;
@@ -84,11 +84,8 @@ fn a_run_in_which_the_alignment_is_lost_ends_with_that_verdict() -> Result<(), F
         .fail(PartFault::StartsShifted { starts: u32::MAX })?;
     rigged.board().fail(PartFault::AdcOverrun)?;
     rigged.client.wait(Duration::from_secs(1))?;
-    let verdict = rigged.client.point(0)?.map(|result| result.state);
-    assert_eq!(
-        verdict,
-        Some(PointState::Refused(Reason::ChannelsNotAligned))
-    );
+    let state = rigged.client.point(0)?.map(|result| result.state);
+    assert_eq!(state, Some(PointState::Refused(Reason::ChannelsNotAligned)));
     rigged.expect_silence(Duration::from_millis(200))?;
     assert!(rigged.client.start(run_of_one()).is_err());
     Ok(())

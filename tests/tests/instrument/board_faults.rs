@@ -36,7 +36,7 @@ struct Scenario {
     reset_cause: String,
     /// Why the point is refused where there is no restart.
     #[serde(default)]
-    verdict: String,
+    state: String,
     /// The output is at mid-scale for good at most so long after the fault, ms.
     silent_within_ms: f64,
 }
@@ -189,13 +189,13 @@ fn sink(board: &mut Emulator, to_mv: u32, mv_per_ms: u32) -> Result<(), Fault> {
 /// The point was refused, and the instrument goes on.
 fn goes_on(rigged: &mut Rigged, scenario: &Scenario, records: usize) -> Result<(), Fault> {
     let status = rigged.client.status()?;
-    let verdict = match rigged.client.point(0)?.map(|result| result.state) {
+    let state = match rigged.client.point(0)?.map(|result| result.state) {
         Some(PointState::Refused(reason)) => format!("{reason:?}"),
         other => format!("{other:?}"),
     };
-    let lost = verdict == "Overrun";
-    if verdict != scenario.verdict || (lost && status.overruns == 0) {
-        return Err(format!("{verdict}, {} overruns", status.overruns).into());
+    let lost = state == "Overrun";
+    if state != scenario.state || (lost && status.overruns == 0) {
+        return Err(format!("{state}, {} overruns", status.overruns).into());
     }
     if let Injected::ButtonStuck = scenario.fault {
         stuck(rigged, records)?;

@@ -29,7 +29,7 @@ fn rigged() -> Result<Rigged, Fault> {
 
 /// A point on a rig with this hum in the device's channel.
 struct Outcome {
-    verdict: PointState,
+    state: PointState,
     /// Error over U, magnitude and phase.
     error: [f64; 2],
     /// Expanded uncertainty of the magnitude, relative.
@@ -53,7 +53,7 @@ fn measure(
     let result = rigged.run(&[point(hz, ms2)])?.points[0];
     let off = deviation(&result, &rig, RATE_HZ);
     let outcome = Outcome {
-        verdict: result.state,
+        state: result.state,
         error: [
             off.magnitude_rel.abs() / f64::from(result.expanded_uncertainty_rel),
             off.phase_rad.abs() / f64::from(result.expanded_uncertainty_phase_rad),
@@ -86,7 +86,7 @@ fn hum_on_the_tone_is_refused_at_low_levels() -> Result<(), Fault> {
     ] {
         let outcome = measure(&mut rigged, hum, mains_hz, hz, 1.0)?;
         assert_eq!(
-            outcome.verdict,
+            outcome.state,
             PointState::Refused(Reason::Hum),
             "{mains_hz}"
         );
@@ -102,7 +102,7 @@ fn hum_on_the_tone_is_stated_at_usual_levels() -> Result<(), Fault> {
     let clean = measure(&mut rigged, "", 50.0, 50.0, 10.0)?;
     for mains_hz in [50.0, 50.01, 49.98] {
         let outcome = measure(&mut rigged, hum, mains_hz, 50.0, 10.0)?;
-        assert_eq!(outcome.verdict, PointState::Valid);
+        assert_eq!(outcome.state, PointState::Valid);
         assert!(
             outcome.error.iter().all(|error| *error <= 1.0),
             "{:?}",
@@ -125,7 +125,7 @@ fn hum_beside_the_tone_is_taken_out() -> Result<(), Fault> {
         for (ms2, allowed_rel) in [(10.0, 5.0e-4), (1.0, 2.0e-3)] {
             let clean = measure(&mut rigged, "", mains_hz, hz, ms2)?;
             let outcome = measure(&mut rigged, hum, mains_hz, hz, ms2)?;
-            assert_eq!(outcome.verdict, PointState::Valid, "{hz} Hz, {ms2} m/s2");
+            assert_eq!(outcome.state, PointState::Valid, "{hz} Hz, {ms2} m/s2");
             let by_hum = (outcome.expanded_rel.powi(2) - clean.expanded_rel.powi(2))
                 .max(0.0)
                 .sqrt();

@@ -87,14 +87,14 @@ pub(crate) fn nothing_is_sideways(page: &Browser) -> Result<(), Fault> {
     Ok(())
 }
 
-/// Result above the form, each point with its verdict in sight.
+/// Result above the form, each point with its state in sight.
 fn points_are_cards(page: &Browser) -> Result<(), Fault> {
     let top = |id| format!("document.getElementById('{id}').getBoundingClientRect().top");
     let above = page.value(&format!("{} < {}", top("now"), top("run")))?;
     assert_eq!(above, true, "the result is above the form");
     let cards = "[...document.querySelectorAll('#points tr')].map((card) => {
-        const verdict = card.lastElementChild.getBoundingClientRect(), all = card.getBoundingClientRect();
-        return verdict.width > 0 && verdict.left >= 0 && verdict.right <= innerWidth && verdict.top - all.top < 40; })";
+        const state = card.lastElementChild.getBoundingClientRect(), all = card.getBoundingClientRect();
+        return state.width > 0 && state.left >= 0 && state.right <= innerWidth && state.top - all.top < 40; })";
     assert_eq!(page.value(cards)?, json!([true, true, true]));
     Ok(())
 }
@@ -119,15 +119,15 @@ pub(crate) fn speaks_german(setup: &Setup) -> Result<(), Fault> {
     page.open(&setup.server.url)?;
     page.wait_for_text("#start", "Starten")?;
     page.wait_for_text("#state", "fertig")?;
-    // The verdict comes from the server, and the laboratory's file states no language.
-    page.wait_for_text("#verdict", "NICHT ERFÜLLT")?;
+    // The conformity comes from the server, and the laboratory's file states no language.
+    page.wait_for_text("#conformity", "NICHT ERFÜLLT")?;
     page.wait_for_text("#points", "nicht erfüllt")?;
     page.wait_for_text("#sensitivity", ",")?;
     assert_eq!(page.value("document.documentElement.lang")?, "de");
     can_use_it(page)?;
     page.choose("#language", "en")?;
     page.wait_for_text("#start", "Start")?;
-    page.wait_for_text("#verdict", "FAIL")?;
+    page.wait_for_text("#conformity", "FAIL")?;
     page.open(&setup.server.url)?;
     page.wait_for_text("#state", "finished")?;
     page.choose("#language", "de")?;

@@ -153,7 +153,7 @@ fn a_calibration_from_the_first_look_to_the_certificate() -> Result<(), Fault> {
     );
     assert_eq!(table.lines().count(), 3, "{table}");
     // The transducer of this rig is 7 % below the nominal value that the laboratory wants within 5 %.
-    page.wait_for_text("#verdict", "FAIL")?;
+    page.wait_for_text("#conformity", "FAIL")?;
     page.wait_for_text("#points .failed", "160")?;
     everybody::can_use_it(page)?;
     everybody::ends_by_keyboard(page)?;

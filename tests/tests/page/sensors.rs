@@ -42,7 +42,7 @@ fn a_sensor_is_registered_measured_adjusted_and_measured_again() -> Result<(), F
 
     // Records have the numbers of their instrument, whose first is that of its settings.
     measure(&setup, 2)?;
-    page.wait_for_text("#verdict", "FAIL")?;
+    page.wait_for_text("#conformity", "FAIL")?;
     measure(&setup, 3)?;
     page.choose("#adjustment", "as_left")?;
     page.wait_for_text("#as_found", "record 2")?;
@@ -103,7 +103,7 @@ struct Kind {
     between: Option<&'static str>,
     /// Of the transducer of this rig, 9.285 mV/(m/s2) at 160 Hz, w = 1005 1/s.
     nominal: &'static str,
-    verdict: &'static str,
+    conformity: &'static str,
 }
 
 const KINDS: [Kind; 4] = [
@@ -113,7 +113,7 @@ const KINDS: [Kind; 4] = [
         place: 2,
         between: None,
         nominal: "9.33",
-        verdict: "PASS",
+        conformity: "PASS",
     },
     Kind {
         serial: "D-1",
@@ -122,7 +122,7 @@ const KINDS: [Kind; 4] = [
         between: None,
         // 9.38 mV/um, by half.
         nominal: "4.69",
-        verdict: "FAIL",
+        conformity: "FAIL",
     },
     Kind {
         serial: "Q-1",
@@ -130,7 +130,7 @@ const KINDS: [Kind; 4] = [
         place: 5,
         between: Some("10"),
         nominal: "9.11",
-        verdict: "PASS",
+        conformity: "PASS",
     },
     Kind {
         serial: "T-1",
@@ -139,11 +139,11 @@ const KINDS: [Kind; 4] = [
         between: Some("250"),
         nominal: "0.364",
         // Reported only.
-        verdict: "",
+        conformity: "",
     },
 ];
 
-/// From the register to the verdict, on a phone, by the keys of the keyboard.
+/// From the register to the conformity, on a phone, by the keys of the keyboard.
 #[test]
 fn every_kind_of_sensor_fits_a_phone_and_a_keyboard() -> Result<(), Fault> {
     // Unit and tolerance are the sensors', from the logbook.
@@ -169,12 +169,12 @@ fn every_kind_of_sensor_fits_a_phone_and_a_keyboard() -> Result<(), Fault> {
             .replace('\u{b5}', "u")
             .replace('\u{b2}', "2");
         assert!(units.contains(kind.unit), "{}: {units}", kind.unit);
-        match kind.verdict {
+        match kind.conformity {
             "" => assert_eq!(
-                page.value("document.getElementById('verdict').hidden")?,
+                page.value("document.getElementById('conformity').hidden")?,
                 true
             ),
-            verdict => page.wait_for_text("#verdict", verdict)?,
+            stated => page.wait_for_text("#conformity", stated)?,
         }
         everybody::nothing_is_sideways(page)?;
         everybody::controls_are_large(page)?;
@@ -206,7 +206,7 @@ fn register_by_keyboard(page: &Browser, kind: &Kind) -> Result<(), Fault> {
     // With the form open as well.
     everybody::nothing_is_sideways(page)?;
     everybody::controls_are_large(page)?;
-    if !kind.verdict.is_empty() {
+    if !kind.conformity.is_empty() {
         typed("#register [name=tolerance]", "5")?;
     }
     page.tab_to("#register button")?;

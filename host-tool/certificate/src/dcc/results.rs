@@ -249,13 +249,8 @@ fn refused(certificate: &Certificate, language: Language) -> Option<String> {
         ))
     };
     let refused: Vec<String> = certificate.points.iter().filter_map(reason).collect();
-    (!refused.is_empty()).then(|| {
-        format!(
-            "{}: {}",
-            language.word("verdict.refused"),
-            refused.join("; ")
-        )
-    })
+    (!refused.is_empty())
+        .then(|| format!("{}: {}", language.word("state.refused"), refused.join("; ")))
 }
 
 fn lists(xml: &mut Xml, certificate: &Certificate, points: &[Measured<'_>], language: Language) {

@@ -1,6 +1,6 @@
 //! Results before and after an adjustment in words.
 
-use super::columns::{DASH, cell, value_of, verdict};
+use super::columns::{DASH, cell, state, value_of};
 use super::table::{Row, Table};
 use crate::adjustment;
 use crate::model::{Certificate, Point, PointValues};
@@ -34,15 +34,15 @@ pub(super) fn as_found(certificate: &Certificate, language: Language) -> Option<
             language.shortest(left.nominal_frequency_hz),
             language.shortest(left.nominal_acceleration_ms2),
         ];
-        cells.extend(found.map_or([DASH.to_owned(), DASH.to_owned()], |p| state(p, language)));
-        cells.extend(state(left, language));
+        cells.extend(found.map_or([DASH.to_owned(), DASH.to_owned()], |p| result(p, language)));
+        cells.extend(result(left, language));
         cells.push(cell(left, |values| {
             let change = adjustment::change_percent(found, left)?;
             Some(language.number(change, values.printed_uncertainty_percent.1))
         }));
         if certificate.decision.is_some() {
-            cells.push(found.map_or(DASH.to_owned(), |p| verdict(p, language)));
-            cells.push(verdict(left, language));
+            cells.push(found.map_or(DASH.to_owned(), |p| state(p, language)));
+            cells.push(state(left, language));
         }
         Row {
             cells,
@@ -57,7 +57,7 @@ pub(super) fn as_found(certificate: &Certificate, language: Language) -> Option<
 }
 
 /// Sensitivity and U of a point.
-fn state(point: &Point, language: Language) -> [String; 2] {
+fn result(point: &Point, language: Language) -> [String; 2] {
     let uncertainty = |values: &PointValues| {
         let (percent, decimals) = values.printed_uncertainty_percent;
         Some(language.number(percent, decimals))

@@ -78,7 +78,7 @@ pub(crate) fn columns() -> impl Iterator<Item = Column> {
             what: What::Measured(one, heading),
         })
     });
-    RESULTS.into_iter().chain(measured).chain(VERDICTS)
+    RESULTS.into_iter().chain(measured).chain(STATES)
 }
 
 const RESULTS: [Column; 12] = [
@@ -144,11 +144,11 @@ const RESULTS: [Column; 12] = [
     }),
 ];
 
-const VERDICTS: [Column; 2] = [
+const STATES: [Column; 2] = [
     column("coherence", "coherence", "", |p, l| {
         observed(p.view.coherence.map(decimal), 4, l)
     }),
-    column("verdict", "verdict", "", verdict),
+    column("state", "state", "", state),
 ];
 
 const fn column(
@@ -200,18 +200,18 @@ pub(super) fn value_of(rounded: &Rounded, language: Language) -> String {
 }
 
 /// Conformity, or why there is no result.
-pub(super) fn verdict(point: &Point, language: Language) -> String {
+pub(super) fn state(point: &Point, language: Language) -> String {
     match &point.outcome {
         Ok(values) => match values.assessment {
             Some(judged) => {
                 let stated = Stated::from(judged.conformity);
                 language.word(stated.message()).to_owned()
             }
-            None => language.word("verdict.valid").to_owned(),
+            None => language.word("state.valid").to_owned(),
         },
         Err(refusal) => {
             let reason = language.word(&format!("reason.{}", refusal.0)).to_owned();
-            format!("{}: {reason}", language.word("verdict.refused"))
+            format!("{}: {reason}", language.word("state.refused"))
         }
     }
 }

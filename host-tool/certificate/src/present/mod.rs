@@ -11,9 +11,9 @@ pub(super) use columns::columns;
 use headline::Headline;
 use table::Table;
 
+use super::conformity_statement::ConformityStatement;
 use super::model::{Certificate, Remark, Section, Value};
 use super::plot;
-use super::verdict::Verdict;
 use super::words::{Language, with_unit};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -37,8 +37,8 @@ pub struct Presented {
     pub sections: Vec<PresentedSection>,
     /// The table over frequency.
     pub table: Table,
-    /// The verdict on the whole object.
-    pub verdict: Option<Verdict>,
+    /// Conformity of the whole object in words.
+    pub conformity_statement: Option<ConformityStatement>,
     /// Texts of the laboratory above the results.
     pub introduction: Vec<String>,
     /// Texts of the laboratory at the end.
@@ -106,7 +106,7 @@ impl Presented {
                 .map(|s| section(s, language))
                 .collect(),
             table: table::table(certificate, language),
-            verdict: certificate.verdict(language),
+            conformity_statement: certificate.conformity_statement(language),
             introduction: certificate.particulars.texts.introduction.clone(),
             closing: certificate.particulars.texts.closing.clone(),
             as_found: adjustment::as_found(certificate, language),
@@ -139,7 +139,7 @@ pub(super) fn value(value: &Value, language: Language) -> String {
         }
         Value::Exact(number, unit) => with_unit(language.shortest(*number), unit),
         Value::Day(day) => day.to_string(),
-        Value::Band(band) => super::verdict::band_words(band, language),
+        Value::Band(band) => super::conformity_statement::band_words(band, language),
         Value::List(values) => {
             let words: Vec<String> = values.iter().map(|v| self::value(v, language)).collect();
             words.join("; ")

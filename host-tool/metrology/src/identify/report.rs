@@ -17,7 +17,7 @@ pub fn report(result: &Identification, spread: Option<&Spread>) -> String {
     );
     text.push_str(&parameters(result, spread));
     text.push('\n');
-    text.push_str(&verdict(result));
+    text.push_str(&chi_squared_test(result));
     let deviation = &result.deviation;
     let _ = writeln!(
         text,
@@ -77,7 +77,7 @@ fn parameters(result: &Identification, spread: Option<&Spread>) -> String {
     )
 }
 
-fn verdict(result: &Identification) -> String {
+fn chi_squared_test(result: &Identification) -> String {
     let (Some(chi2), Some(limit)) = (result.chi2, result.chi2_limit) else {
         return wrap(
             "chi-squared test (37): not possible without uncertainties; those of the parameters \

@@ -34,7 +34,7 @@ pub fn link_report(file: &LinkFile, linked: &[LinkedFrequency], pairs: bool) -> 
                     significant(laboratory.d, 3),
                     significant(laboratory.u_expanded, 2),
                     e_n(laboratory.e_n),
-                    verdict(laboratory.d, laboratory.u_expanded).into(),
+                    agreement(laboratory.d, laboratory.u_expanded).into(),
                 ]
             })
             .collect();
@@ -81,14 +81,14 @@ fn pair_table(entry: &LinkedFrequency) -> String {
                 significant(pair.d, 3),
                 significant(pair.u_expanded, 2),
                 e_n(pair.e_n),
-                verdict(pair.d, pair.u_expanded).into(),
+                agreement(pair.d, pair.u_expanded).into(),
             ]
         })
         .collect();
     format!("\n{}", table(&["pair", "d", "U(d)", "E_n", ""], &rows))
 }
 
-fn verdict(d: f64, u_expanded: f64) -> &'static str {
+fn agreement(d: f64, u_expanded: f64) -> &'static str {
     match d.abs() > u_expanded {
         true => "NOT consistent",
         false => "",

@@ -13,7 +13,7 @@ pub fn report(points: &[PointSensitivity], unit: &str, remarks: &[String]) -> St
         "dev/%",
         "dev/dB",
         "drift/%",
-        "verdict",
+        "state",
     ];
     let method = points.first().map_or("", |point| point.method);
     let mut text = format!(
@@ -63,7 +63,7 @@ fn row(point: &PointSensitivity) -> Vec<String> {
         match (point.sensitivity, point.inverted) {
             (None, _) => "refused".into(),
             (_, true) => "inverted".into(),
-            (_, false) => "pass".into(),
+            (_, false) => "valid".into(),
         },
     ]
 }

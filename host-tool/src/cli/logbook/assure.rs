@@ -170,7 +170,7 @@ fn report_text(report: &AssuranceReport) -> String {
     text
 }
 
-/// A reference by its checks: chart and verdict.
+/// A reference by its checks: chart and judgement.
 fn reference_text(state: &ReferenceState) -> String {
     let latest =
         u64::try_from(state.latest_unix_time_s).map_or(String::new(), time::date_and_minute);

@@ -81,7 +81,7 @@ export const german = {
   "No points yet: connect a calibrator, state the sensor, and press Start.": "Noch keine Punkte: Kalibrator verbinden, Sensor angeben, Starten drücken.",
   "phase": "Phase",
   "settled": "eingeregelt",
-  "verdict": "Urteil",
+  "state": "Zustand",
   "Records": "Messungen",
   "No records yet. Each run enters its record by itself.": "Noch keine Messungen. Jeder Lauf trägt seine selbst ein.",
   "measured": "gemessen",

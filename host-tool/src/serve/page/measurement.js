@@ -21,7 +21,7 @@ export function row(cells, name, heads) {
   return line;
 }
 
-/** What the server made of a run that ended: the verdict, and a statement on each point. */
+/** What the server made of a run that ended: conformity of the sensor, and a statement on each point. */
 let judged = { number: 0, document: null };
 
 export function judge(number, document, run) {
@@ -150,12 +150,12 @@ function certificates(run, running) {
   $("judgement").textContent = refused ? say("{0} points, {1} refused", run.points.length, refused)
     : say("{0} points, none refused", run.points.length);
   $("judgement").className = refused ? "exceeds" : "";
-  const judged = of(run), verdict = judged && judged.verdict;
-  $("verdict").hidden = !verdict;
-  if (verdict) {
-    $("verdict").dataset.conformity = verdict.conformity;
-    $("verdict-title").textContent = verdict.title;
-    $("verdict-because").textContent = verdict.because;
+  const judged = of(run), conformity = judged && judged.conformity_statement;
+  $("conformity").hidden = !conformity;
+  if (conformity) {
+    $("conformity").dataset.conformity = conformity.conformity;
+    $("conformity-title").textContent = conformity.title;
+    $("conformity-because").textContent = conformity.because;
   }
   $("kept").textContent = say(run.logbook_record === null ? "record {0}" : "record {0}, kept in the logbook", run.record_id);
   for (const link of document.querySelectorAll("#certificates a")) {

@@ -176,7 +176,7 @@ function show(view) {
   say();
 }
 
-/** The verdict is made in one place, by the server, once the record is there. */
+/** Conformity is stated in one place, by the server, once the record is there. */
 async function judge(number) {
   const judged = await load_at(certificate("api/judged"));
   if (last && last.run && last.run.number === number) measurement.judge(number, judged, last.run);

@@ -1,20 +1,20 @@
-//! The verdict as nobody overlooks it.
+//! The conformity as nobody overlooks it.
 
 use super::COLUMNS;
-use calib_certificate::Verdict;
+use calib_certificate::ConformityStatement;
 
-/// Verdict between two rules, and what decided below it, on a terminal of 80 columns.
-pub fn show(verdict: &Verdict) -> String {
-    within(verdict, COLUMNS)
+/// Conformity between two rules, and what decided below it, on a terminal of 80 columns.
+pub fn show(conformity: &ConformityStatement) -> String {
+    within(conformity, COLUMNS)
 }
 
-/// Verdict between two rules, and what decided below it, in `width` columns.
-pub(super) fn within(verdict: &Verdict, width: usize) -> String {
-    let rule = "=".repeat(verdict.title.chars().count() + 6);
+/// Conformity between two rules, and what decided below it, in `width` columns.
+pub(super) fn within(conformity: &ConformityStatement, width: usize) -> String {
+    let rule = "=".repeat(conformity.title.chars().count() + 6);
     format!(
         "{rule}\n   {}\n{rule}\n{}",
-        verdict.title,
-        wrapped(&verdict.because, width)
+        conformity.title,
+        wrapped(&conformity.because, width)
     )
 }
 
@@ -44,8 +44,8 @@ mod tests {
     use calib_certificate::decision::Stated;
 
     #[test]
-    fn a_verdict_stands_alone_on_its_line() {
-        let verdict = Verdict {
+    fn a_conformity_stands_alone_on_its_line() {
+        let conformity = ConformityStatement {
             conformity: Stated::Fail,
             title: "FAIL".to_owned(),
             because: "+5.92 % of nominal, limit \u{b1}5 %, at 160 Hz (U = 0.77 %)".to_owned(),
@@ -55,7 +55,7 @@ mod tests {
             lower_limit_rel: None,
             upper_limit_rel: None,
         };
-        let shown = show(&verdict);
+        let shown = show(&conformity);
         assert!(shown.lines().any(|line| line.trim() == "FAIL"), "{shown}");
         assert!(shown.ends_with("(U = 0.77 %)"), "{shown}");
         assert!(shown.lines().all(|line| line.chars().count() <= COLUMNS));

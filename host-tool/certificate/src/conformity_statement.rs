@@ -1,4 +1,4 @@
-//! The verdict on the whole object where one looks: every output prints this one.
+//! Conformity of the whole object in words: every output prints this statement.
 
 use super::model::{Certificate, Point, PointValues};
 use super::words::Language;
@@ -8,12 +8,12 @@ use calib_record::hash_chain::Standing;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Verdict by the tolerance and the decision rule that were asked for.
+/// Statement of conformity by the tolerance and the decision rule that were asked for.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct Verdict {
-    /// The verdict.
+pub struct ConformityStatement {
+    /// The conformity.
     pub conformity: Stated,
-    /// The verdict in capitals of the language, such as `PASS`.
+    /// The conformity in capitals of the language, such as `PASS`.
     pub title: String,
     /// Reason in words: `+5.9 % of nominal, limit ±5 %, at 160 Hz`.
     pub because: String,
@@ -39,12 +39,12 @@ struct Decisive<'a> {
 }
 
 impl Certificate {
-    /// The verdict in words, if a tolerance was stated.
-    pub fn verdict(&self, language: Language) -> Option<Verdict> {
+    /// The conformity in words, if a tolerance was stated.
+    pub fn conformity_statement(&self, language: Language) -> Option<ConformityStatement> {
         self.particulars.decision.as_ref()?;
         let conformity = self.stated_conformity();
         let title = language.word(conformity.message()).to_uppercase();
-        let plain = |because: String| Verdict {
+        let plain = |because: String| ConformityStatement {
             conformity,
             title: title.clone(),
             because,
@@ -55,23 +55,23 @@ impl Certificate {
             upper_limit_rel: None,
         };
         if self.record_chain == Some(Standing::Broken) {
-            return Some(plain(language.word("verdict.chain_broken").to_owned()));
+            return Some(plain(language.word("conformity.chain_broken").to_owned()));
         }
         let refused = self.points.iter().filter(|p| p.outcome.is_err()).count();
         let without = refused + self.untried_hz.len();
         if self.conformity().is_none() && without > 0 {
             let all = self.points.len() + self.untried_hz.len();
             let counts = [without.to_string(), all.to_string()];
-            let because = language.phrase("verdict.without", &[&counts[0], &counts[1]]);
+            let because = language.phrase("conformity.without", &[&counts[0], &counts[1]]);
             return Some(plain(because));
         }
         if self.conformity().is_none() && !self.is_closed {
-            return Some(plain(language.word("verdict.not_closed").to_owned()));
+            return Some(plain(language.word("conformity.not_closed").to_owned()));
         }
         let Some(decisive) = self.decisive() else {
-            return Some(plain(language.word("verdict.nothing").to_owned()));
+            return Some(plain(language.word("conformity.nothing").to_owned()));
         };
-        Some(Verdict {
+        Some(ConformityStatement {
             frequency_hz: Some(decisive.point.nominal_frequency_hz),
             base: Some(decisive.band.base),
             deviation_rel: finite(decisive.deviation_percent / 100.0),
@@ -149,13 +149,13 @@ impl Decisive<'_> {
         let limit = limit(self.band, language);
         let of = language.word(base(self.band.base));
         if !self.deviation_percent.is_finite() {
-            return language.phrase("verdict.no_base", &[of, &at]);
+            return language.phrase("conformity.no_base", &[of, &at]);
         }
         let decimals = decimals.clamp(1, 2);
         let deviation = signed(self.deviation_percent, decimals, language);
         let key = match self.judged.conformity {
-            Conformity::NotJudgeable => "verdict.too_uncertain",
-            _ => "verdict.decisive",
+            Conformity::NotJudgeable => "conformity.too_uncertain",
+            _ => "conformity.decisive",
         };
         language.phrase(key, &[&deviation, of, &limit, &at, &uncertainty])
     }

@@ -1,4 +1,4 @@
-//! Every fault ends in a named verdict and a silent exciter.
+//! Every fault ends in a named state and a silent exciter.
 
 use calib_core::point::PointSpec;
 use calib_core::point_state::{PointState, Reason};
@@ -8,7 +8,7 @@ use calib_tests::rigged::{Fault, Rigged, point};
 use calib_twin::rig::Rig;
 use std::time::Duration;
 
-/// Runs one point on `rig`, and expects its verdict and silence.
+/// Runs one point on `rig`, and expects its state and silence.
 fn expect(rig: &Rig, spec: PointSpec, reason: Reason) -> Result<(), Fault> {
     let mut rigged = Rigged::with_rig(rig)?;
     let outcome = rigged.run(&[spec])?;
