@@ -43,7 +43,7 @@ def by_duckdb(place, threads):
 
 
 def by_spark(place, executors):
-    """The same by Spark; its start is that of the cluster, too."""
+    """The rows by Spark; the time of its start includes that of the cluster."""
     started, spark = timed(lambda: tables.spark_views(cluster.session(executors), place))
     try:
         ask = lambda name: [tuple(row) for row in spark.sql(tables.query(name)).collect()]
@@ -143,7 +143,7 @@ def by_plain(rows, cores):
 
 
 def by_executors(rows, executors, kill=False):
-    """The same by `mapInPandas`, and the tasks that were lost; with `kill` an executor is killed on the way."""
+    """The answers by `mapInPandas`, and the tasks that were lost; with `kill` an executor is killed on the way."""
     spark = cluster.session(executors)
     try:
         # The cluster is up, and its Pythons have loaded what they need.

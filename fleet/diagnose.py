@@ -36,7 +36,7 @@ def answer_of(dataset, points, rig):
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         for file, text in (("points.csv", points), ("rig.toml", rig)):
-            # What a table does not state is a file that is not there.
+            # A file that a table does not state is not there.
             if isinstance(text, str):
                 (folder / file).write_text(text, encoding="utf-8")
         try:

@@ -4,7 +4,7 @@ from typing import Any
 
 
 class Document(dict):
-    """What a verb says, as docs/json.md describes it: a dictionary whose keys are attributes too."""
+    """The document of a verb, as docs/json.md describes it: a dictionary whose keys are attributes too."""
 
     def __getattr__(self, name: str) -> Any:
         try:

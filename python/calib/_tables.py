@@ -138,7 +138,7 @@ def write_toml(path: Path, content: Mapping[str, Any]) -> Path:
 
 
 def plain(value: Any) -> Any:
-    """What JSON can say."""
+    """The value in types that JSON has."""
     if isinstance(value, Mapping):
         return {str(key): plain(one) for key, one in value.items() if one is not None}
     if hasattr(value, "tolist"):

@@ -1,4 +1,4 @@
-"""What the standards calculate: tables and arrays in, documents out."""
+"""Calculations of the standards: tables and arrays in, documents out."""
 
 from typing import Any, Dict, List, Optional
 

@@ -76,7 +76,7 @@ class Calibrator:
         return self._verb("selftest")
 
     def settings(self) -> Document:
-        """What it knows before it measures: limits, scales, influence quantities, the reference. SI, phases in rad."""
+        """Its settings: limits, scales, influence quantities, the reference. SI, phases in rad."""
         return self._verb("settings")
 
     def records(self) -> List[Document]:
@@ -131,7 +131,7 @@ class Calibrator:
             wanted = {"points": _list_of(points, into), "level": level, "sensor": sensor, **options, **self._own()}
             self._carry_out_run(wanted, hear, str(into))
         done = result[0]
-        # What could not be stored is in its points alone.
+        # A run that could not be stored is in its points alone.
         return Run(done, None if done["state"] == "failed" else self.record(done["record_id"]))
 
     def _carry_out_run(self, options: "dict[str, object]", hear: Callable[[Document], None], hide: str) -> None:

@@ -4,7 +4,7 @@ from typing import Dict, Optional, Type
 
 
 class CalibError(Exception):
-    """What went wrong; ``hint`` says what to do about it.
+    """A failure; ``hint`` says what to do about it.
 
     ``exit_code`` is that of the command line tool, by which a class is chosen.
     """

@@ -39,6 +39,6 @@ def measured(tmp_path_factory):
 
 
 def command_line(*words):
-    """What the tool itself says: its document, and its exit code."""
+    """Output of the tool itself: its document, and its exit code."""
     done = subprocess.run([os.environ["CALIB_TOOL"], *map(str, words)], capture_output=True, text=True)
     return json.loads(done.stdout) if done.stdout.strip() else json.loads(done.stderr), done.returncode

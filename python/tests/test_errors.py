@@ -1,4 +1,4 @@
-"""What is wrong is an exception that says what, where and the way out; nothing ends the interpreter."""
+"""Wrong input is an exception that says what, where and the way out; nothing ends the interpreter."""
 
 import math
 import pickle

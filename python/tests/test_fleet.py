@@ -62,7 +62,7 @@ def test_an_executor_killed_in_mid_job_changes_no_answer(spark):
     causes = ([], ["suspension_cubic=k3_n_per_m3:1e7"], ["dut_resonance"], ["mount_compliance"])
     folders = [calib.gap.simulate("standard", causes[n % 4], out=f"set/{n:02}", seed=n) for n in range(32)]
     rows = diagnose.datasets(folders)
-    # What is no dataset is a row too.
+    # A row that is no dataset has an answer too.
     rows += [("none", None, None), ("nonsense", "frequency_hz\n?\n", "[[["), ("empty", "", "")]
     cluster.kill_in_mid_job(spark)
     found = sorted(tuple(row) for row in diagnose.on_spark(spark, rows).collect())

@@ -1,4 +1,4 @@
-"""What we export is read by pandas, polars and DuckDB, and asked by every question of the fleet."""
+"""Exported tables are read by pandas, polars and DuckDB, and asked by every question of the fleet."""
 
 import sys
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""What is public: a test calls every name of it, and its documentation says what goes in, in which unit."""
+"""The public names: a test calls every name of it, and its documentation says what goes in, in which unit."""
 
 import ast
 import inspect

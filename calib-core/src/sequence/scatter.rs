@@ -50,8 +50,8 @@ impl Scatter {
         self.last = difference;
     }
 
-    /// So many complex parameters beside the mean were fitted to what the ratios are of: their scatter
-    /// has as many degrees of freedom less.
+    /// States how many complex parameters were fitted beside the mean. The scatter of the ratios loses as many
+    /// degrees of freedom.
     pub fn fit_took(&mut self, parameters: usize) {
         self.fitted = parameters as u16;
     }

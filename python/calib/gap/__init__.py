@@ -133,7 +133,7 @@ def simulate(
 
 
 def plan(data: Content, *, most: int = 24) -> Any:
-    """What to measure next: the points that best separate what is still possible, and by how many sigma.
+    """The measurements to take next: the points that best separate what is still possible, and by how many sigma.
 
     Args:
         data: a dataset folder, or a rig as for :func:`simulate`.
@@ -171,7 +171,7 @@ def challenge(out: _Path, *, cases: int, seed: int, strata: Union[str, Iterable[
 
 
 def score(answers: Union[_Path, Iterable[Any]], truth: _Path, *, sha256: Optional[str] = None) -> Any:
-    """What answers are worth: opens the truth of a sealed set, if it is the one that was sealed.
+    """Scores answers: opens the truth of a sealed set, if it is the one that was sealed.
 
     Args:
         answers: a file of JSON lines, or the list that :func:`diagnose` returned.

@@ -174,7 +174,7 @@ def divided_out(folder: Path, model: Model, into: Path) -> Path:
     for order in _ORDERS:
         if f"dut_h{order}" in table:
             corrected.update(_harmonics(table, known, model, order))
-    # What a kink sends beyond the fifth harmonic is in the noise, and how the transducer shapes it no table shows.
+    # Harmonics of a kink beyond the fifth are in the noise, and how the transducer shapes it no table shows.
     corrected.pop("dut_noise_v", None)
     into.mkdir()
     shutil.copy(folder / "rig.toml", into / "rig.toml")
@@ -183,7 +183,7 @@ def divided_out(folder: Path, model: Model, into: Path) -> Path:
 
 
 def _responses(model: Model, table: Mapping[str, List[Any]]) -> List[complex]:
-    """What the model says of each row, checked."""
+    """Predictions of the model for each row, checked."""
     frequencies = table.get("frequency_hz")
     if not frequencies or any(not isinstance(one, float) for one in frequencies):
         raise InputError("points.csv: column frequency_hz has no number in every row", "state each frequency in Hz", 6)
@@ -198,7 +198,7 @@ def _responses(model: Model, table: Mapping[str, List[Any]]) -> List[complex]:
 
 
 def _said(model: Model, table: Mapping[str, List[Any]], rows: Sequence[int], order: int = 1) -> List[complex]:
-    """What the model says at so many times the frequency of these rows: one complex number for each."""
+    """Responses of the model at so many times the frequency of these rows: one complex number for each."""
     import numpy
 
     frequencies = numpy.array([order * table["frequency_hz"][row] for row in rows])
