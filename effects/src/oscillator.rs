@@ -51,7 +51,7 @@ pub static QUADRATIC_STIFFNESS: Entry = Entry {
 pub static QUADRATIC_DAMPING: Entry = Entry {
     id: "quadratic_damping",
     formula: "2 delta w0 x' (1 + d2 |x'|/w0)",
-    parameters: &[Parameter::linear("d2", "1/output", [-1e6, 1e6], 1.0)],
+    parameters: &[Parameter::linear("d2", "1/output", [0.0, 1e6], 1.0)],
     plain: "the damping grows with speed",
     confused_with: &["coulomb_friction", "cubic_damping"],
     separate_by: "a sine at the resonance at several amplitudes: the loss per cycle over amplitude",
@@ -63,7 +63,7 @@ pub static QUADRATIC_DAMPING: Entry = Entry {
 pub static CUBIC_DAMPING: Entry = Entry {
     id: "cubic_damping",
     formula: "2 delta w0 x' (1 + d3 (x'/w0)^2)",
-    parameters: &[Parameter::linear("d3", "1/output2", [-1e6, 1e6], 3.0)],
+    parameters: &[Parameter::linear("d3", "1/output2", [0.0, 1e6], 3.0)],
     plain: "the damping grows steeply with speed",
     confused_with: &["quadratic_damping", "input_saturation"],
     separate_by: "a sine at the resonance at several amplitudes: the loss per cycle over amplitude",
@@ -192,7 +192,7 @@ pub static SECOND_MODE: Entry = Entry {
     parameters: &[
         Parameter::linear("gain", "1", [-100.0, 100.0], 0.1).on_site(-1.0, 1.0),
         Parameter::linear("mode_hz", "Hz", [1e-3, 1e6], 150.0),
-        Parameter::linear("damping", "1", [1e-5, 1.0], 0.02).on_site(1e-3, 0.2),
+        Parameter::linear("damping", "1", [1e-4, 1.0], 0.02).on_site(1e-3, 0.2),
     ],
     plain: "a second part vibrates along",
     confused_with: &["input_delay"],
@@ -217,7 +217,7 @@ pub static HYSTERESIS: Entry = Entry {
     id: "hysteresis",
     formula: "w0^2 (x + alpha z), z' = x' - (|x'| z + x' |z|)/(2 zy)",
     parameters: &[
-        Parameter::linear("alpha", "1", [-0.9, 10.0], 0.1).on_site(0.0, 1.0),
+        Parameter::linear("alpha", "1", [0.0, 10.0], 0.1).on_site(0.0, 1.0),
         Parameter::linear("yield_deflection", "output", [1e-9, 1e6], 0.03),
     ],
     plain: "the spring yields, and pulls less on the way back",

@@ -19,10 +19,8 @@ pub struct Where {
     /// Observable in which it shows.
     pub observable: Group,
     /// Condition along which it varies.
-    #[schemars(with = "&str")]
     pub axis: Axis,
     /// Conditions that go with it in these data, so that it may be any of them.
-    #[schemars(with = "Vec<&str>")]
     pub or_along: Vec<Axis>,
     /// Lowest value of that condition (or of frequency).
     pub from: f64,
@@ -78,8 +76,7 @@ pub struct OwnNoise {
     pub factor_on_u: BTreeMap<Group, f64>,
     /// Share of its deviate that a row remembers of the row before it, by observable.
     pub memory: BTreeMap<Group, f64>,
-    /// Rows of the table, from 1, that nothing describes which describes the others; they are left
-    /// out.
+    /// Rows of the table, from 1, that no set fits which fits all others. They are left out.
     pub outlier_rows: Vec<usize>,
 }
 
@@ -91,7 +88,6 @@ pub struct Remainder {
     /// Root mean square of it there, relative as the gap is.
     pub rms_rel: f64,
     /// Condition along which it varies.
-    #[schemars(with = "&str")]
     pub axis: Axis,
     /// Lowest value of that condition.
     pub from: f64,

@@ -1,7 +1,9 @@
 //! Conditions along which a deviation may vary.
 
 use crate::model::row::Row;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Serialize, Serializer};
+use std::borrow::Cow;
 
 /// Condition along which a deviation varies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -29,6 +31,20 @@ pub enum Axis {
 }
 
 impl Axis {
+    /// All of them.
+    const ALL: [Self; 10] = [
+        Self::Frequency,
+        Self::Level,
+        Self::InverseLevel,
+        Self::Travel,
+        Self::Time,
+        Self::Payload,
+        Self::Temperature,
+        Self::Rotation,
+        Self::CoilVoltage,
+        Self::Amplitude,
+    ];
+
     /// Conditions of the rows of a table.
     pub(crate) const CONDITIONS: [Self; 8] = [
         Self::Frequency,
@@ -62,11 +78,11 @@ impl Axis {
         match self {
             Self::Frequency => "frequency_hz",
             Self::Level => "acceleration_ms2",
-            Self::InverseLevel => "inverse level",
+            Self::InverseLevel => "inverse_level",
             Self::Travel => "travel_m",
             Self::Time => "time_s",
             Self::Payload => "payload_kg",
-            Self::Temperature => "temperature_c",
+            Self::Temperature => "temperature_above_reference_k",
             Self::Rotation => "rotation_deg",
             Self::CoilVoltage => "coil_v",
             Self::Amplitude => "amplitude",
@@ -77,5 +93,19 @@ impl Axis {
 impl Serialize for Axis {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(self.name())
+    }
+}
+
+impl JsonSchema for Axis {
+    fn schema_name() -> Cow<'static, str> {
+        "Axis".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "description": "Condition along which a deviation varies.",
+            "type": "string",
+            "enum": Self::ALL.map(Self::name)
+        })
     }
 }

@@ -39,4 +39,4 @@ pub use pictures::{Conditions, Datum, Pictures, Residuals, Trace};
 pub use plan::{Measurement, Pair, Plan, plan};
 pub use report::report;
 pub use summary::three_digits;
-pub use thresholds::{ENOUGH_SIGMA, POSSIBLE_PROBABILITY};
+pub use thresholds::{ENOUGH_SIGMA, PLACE_P_VALUE, POSSIBLE_PROBABILITY};

@@ -19,6 +19,9 @@ pub(crate) const UNEXPLAINED_P_VALUE: f64 = 0.01;
 /// Probability of the leading set from which it is named alone: odds of 4 to 1 against all
 /// others. x0.8: 1 of 346 verdicts changes; x1.2 is no probability, 0.96: 7.
 pub(crate) const EXPLAINED_PROBABILITY: f64 = 0.8;
+/// P-value from which a place beside the first one is left out of a text once the gap is explained: noise would show it
+/// as well. A choice: one in twenty.
+pub const PLACE_P_VALUE: f64 = 0.05;
 /// Probability above which a set is possible beside the leading one. No effect at all is such a
 /// set: where it is possible none is claimed. x0.5: 2 of 346 sets list other pairs that are
 /// hardly told apart; x2: 4.
@@ -54,8 +57,8 @@ pub(crate) const LITTLE: f64 = 0.01;
 /// Share of the gap that a cause closes on levels and bands that were left out, from which a report says
 /// that it holds there. A choice: [`LITTLE`] in squares is a tenth in amplitude.
 pub(crate) const HOLDS: f64 = 0.9;
-/// Probability below which a cause outside the library is twice as probable as the one that leads. Of one that leaves
-/// noise two doubts, or one beside others, lead there. x0.5, x2: 1 of 96.
+/// Probability below which a cause outside the library is twice as probable as the one that leads. A cause that
+/// leaves only noise falls below it with two cautions, or with one beside other causes. x0.5, x2: 1 of 96.
 pub(crate) const ONE_OF_THREE: f64 = 1.0 / 3.0;
 /// Standard deviations squared by which a true set may be worse on held-out rows by noise. x0.5: 1 of 96; x2: 0.
 pub(crate) const WORSE_BY_NOISE: f64 = 6.0;
@@ -165,7 +168,7 @@ pub(crate) const MOST_PAIRS: usize = 14;
 pub(crate) const LEADERS: usize = 2;
 /// Sets of three effects and more that are refined a round. 3, 12: 0 of 104.
 pub(crate) const MOST_LARGER: usize = 6;
-/// Sets that are struck, before what comes up next is only the nearest of what does not stand. 6, 24: 0 of 104.
+/// Sets that are struck at most. What comes up then is only the closest of the wrong ones. 6, 24: 0 of 104.
 pub(crate) const MOST_STRUCK: usize = 12;
 /// Effects at a time that are tried where fewer show lack of fit. 2: 4 of 104; 8: 0.
 pub(crate) const MOST_EFFECTS: usize = 4;
@@ -186,6 +189,14 @@ pub(crate) const MOST_CAUSES: usize = 12;
 
 /// Levels, or bands, of a dataset at most: equal steps of the logarithm. 2: 2 of 104; 8: 0.
 pub(crate) const MOST_SLICES: usize = 4;
+/// Largest over smallest level up to which all rows are of one. A choice: twice [`LEVELS_ALIKE`].
+pub(crate) const ONE_LEVEL: f64 = 1.01;
+/// Levels of the held-out part of a record: the last fifth of its stretches is the loudest. A choice.
+pub(crate) const LEVELS_OF_RECORDS: usize = 5;
+/// Periods of the resonance in a stretch of such a part. A choice: a level is hardly known from fewer.
+pub(crate) const PERIODS_OF_A_STRETCH: f64 = 4.0;
+/// Edges of the bands of such a part, over the resonance. A choice: octaves about it.
+pub(crate) const BAND_EDGES: [f64; 4] = [0.5, 1.0, 2.0, 4.0];
 /// Frequencies from which whole ones are held out; of fewer, single rows are. 4, 18: 0 of 104.
 pub(crate) const FEWEST_FREQUENCIES: usize = 9;
 
@@ -233,7 +244,7 @@ pub(crate) const LEAST_MEMORY: f64 = 0.25;
 /// hundred rows holds one piece of it.
 pub(crate) const LEAST_FORGOTTEN: f64 = 0.01;
 /// Memory of the part of a group that remembers least, over that of the whole, from which all of it remembers: a drift of
-/// one value is an effect.
+/// one value is an effect. A choice.
 pub(crate) const ALL_PARTS: f64 = 0.5;
 /// Scatter of the middle of what is left over that of all from which no few rows make the whole: noise has 1. x0.5: 0
 /// of 96; x2: 13.
@@ -248,7 +259,7 @@ pub(crate) const REPEATS_AMONG: usize = 16;
 pub(crate) const LEVEL_REPEATED: f64 = 0.02;
 /// Difference of the temperature below which it does, in K. x0.5, x2: 0 of 96.
 pub(crate) const REPEATED_K: f64 = 1.0;
-/// Deviates at which a row stands out whatever the number of data.
+/// Deviates at which a row stands out whatever the number of data. A choice: of two million healthy ones one does.
 pub(crate) const OUTLIER_SIGMA: f64 = 5.0;
 /// Probability that one datum of so many stands out as much: of 10 000 tables one.
 pub(crate) const OUTLIER_P_VALUE: f64 = 1e-4;
@@ -346,12 +357,15 @@ pub(crate) const AT_REST: f64 = 0.1;
 /// Relative size below which what a nonlinearity does to arriving harmonics is left out: a
 /// thousandth of any stated uncertainty.
 pub(crate) const NEGLIGIBLE: f64 = 1e-7;
+/// Voltage without clipping over the threshold from which an amplifier may clip. A choice:
+/// harmonics that ride on the fundamental may add a third to it.
+pub(crate) const NEAR_CLIPPING: f64 = 0.75;
 /// Power over that of the fundamental below which no response is asked: 1e-6 in amplitude, below any stated uncertainty.
 pub(crate) const UNSEEN: f64 = 1e-12;
 /// Correction of the motion, relative to its fundamental, at which a harmonic balance holds: a hundredth of
 /// [`NEGLIGIBLE`].
 pub(crate) const BALANCED: f64 = 1e-9;
-/// Tolerance relative to the first correction, where only a slope is wanted.
+/// Tolerance relative to the first correction, where only a slope is wanted. A choice: a slope needs no more.
 pub(crate) const BALANCED_SLOPE: f64 = 1e-3;
 /// Change of all data, in standard deviations, that a small step of a parameter must exceed: what
 /// only rounding moves would be moved without bounds.
@@ -371,6 +385,7 @@ pub(crate) const LEAST_FACTOR: f64 = 0.02;
 // What is a usable input?
 
 /// Relative distance at which a ratio and the quotient of its voltages are two different things.
+/// A choice: far above any rounding of a table, far below a wrong unit.
 pub(crate) const RATIO_AGREES: f64 = 0.01;
 /// Factor by which the stated level may differ, in the median, from the reference output over the
 /// nominal sensitivity: the two are the same by definition of the level.
@@ -409,7 +424,7 @@ pub(crate) const POOR: f64 = 0.03;
 pub(crate) const QUIET: f64 = 0.1;
 /// Share of the squared output below which a first linear fit must stay to be begun from. x0.5, x2: 0 of 32.
 pub(crate) const DESCRIBES_LITTLE: f64 = 0.3;
-/// Linear oscillators that are followed where no resonance is known, the best of a grid.
+/// Linear oscillators that are followed where no resonance is known, the best of a grid. A choice: effort.
 pub(crate) const BEST_STARTS: usize = 3;
 /// Trace of one parity over that of the other below which the other alone is said. x0.5, x2: 0 of 32.
 pub(crate) const OTHER_PARITY: f64 = 0.1;
@@ -464,7 +479,8 @@ pub(crate) const WORTH_A_POINT: f64 = 0.25;
 /// Size of an effect that is to be told from others, in standard deviations over all points in
 /// reach. A choice: what a diagnosis names surely.
 pub(crate) const USUAL_SIGMA: f64 = 100.0;
-/// Ridge, relative, that keeps parameters that nothing has taught anything about.
+/// Ridge, relative, that keeps parameters that nothing has taught anything about. A choice: the root
+/// of the rounding of a number.
 pub(crate) const UNTAUGHT_RIDGE: f64 = 1e-8;
 /// Points of a plan in one-third octaves.
 pub(crate) const POINTS_PER_DECADE: f64 = 10.0;

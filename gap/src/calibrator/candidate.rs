@@ -6,7 +6,7 @@ use super::fit::{Fit, Workspace};
 use super::problem::{Column, Problem, Tangent};
 use crate::effects::library;
 use crate::estimation::tangent::RIDGE;
-use crate::model::effect::{Active, Start};
+use crate::model::effect::{Active, Shows, Start};
 use crate::observable::Group;
 use calib_effects::{Parameter, Scale, Stage};
 use nalgebra::{Cholesky, DVector};
@@ -19,8 +19,8 @@ pub(crate) struct PredictedGain {
     pub(crate) parameters: Vec<f64>,
     /// Step of the nuisances and of the effects already there that goes with it.
     pub(crate) shift: Option<DVector<f64>>,
-    /// Group of observables in which the gain lies: response, harmonics and d.c., noise.
-    pub(crate) group: usize,
+    /// Where the gain lies.
+    pub(crate) shows: Shows,
 }
 
 /// A start with the change of the weighted prediction of each member.
@@ -28,7 +28,7 @@ pub(crate) struct Candidate {
     pub(crate) entry: usize,
     start: Start,
     pub(super) columns: Vec<Column>,
-    group: usize,
+    shows: Shows,
 }
 
 /// An entry of the library with values.
@@ -85,7 +85,7 @@ impl Candidate {
         any.then(|| Self {
             entry,
             start,
-            group: group(&columns),
+            shows: shows(&columns),
             columns,
         })
     }
@@ -160,7 +160,7 @@ impl Candidate {
             gain,
             parameters,
             shift: Some(tangent.refitted(&beside, &amplitude)),
-            group: self.group,
+            shows: self.shows,
         })
     }
 
@@ -176,8 +176,8 @@ impl Candidate {
     }
 }
 
-/// Group of observables in which most of a change lies: response, or harmonics and d.c.
-fn group(columns: &[Column]) -> usize {
+/// Where most of a change lies: in the response, or in harmonics and d.c.
+fn shows(columns: &[Column]) -> Shows {
     let weight = |inside: fn(Group) -> bool| -> f64 {
         let parts = columns.iter().flat_map(|c| &c.parts);
         let inside = parts.filter(|p| inside(p.0.group()));
@@ -186,5 +186,8 @@ fn group(columns: &[Column]) -> usize {
             .sum()
     };
     let distorts = |group: Group| !group.is_response() && group != Group::Noise;
-    usize::from(weight(distorts) > weight(Group::is_response))
+    match weight(distorts) > weight(Group::is_response) {
+        true => Shows::Harmonics,
+        false => Shows::Response,
+    }
 }

@@ -150,7 +150,7 @@ fn range(values: &[f64]) -> (f64, f64) {
 /// Groups of values by equal steps of the logarithm; none where there is one value only.
 fn groups(values: &[f64]) -> Vec<Group> {
     let (lowest, highest) = range(values);
-    if highest <= 1.01 * lowest {
+    if highest <= thresholds::ONE_LEVEL * lowest {
         return Vec::new();
     }
     let step = (highest / lowest).ln() / thresholds::MOST_SLICES as f64;

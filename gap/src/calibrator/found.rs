@@ -221,19 +221,19 @@ pub(super) fn entries(fit: &Fit) -> Vec<usize> {
     entries
 }
 
-/// The candidates of the largest predicted gains, overall and in each group.
+/// The candidates of the largest predicted gains, overall and in each kind of observable.
 pub(super) fn chosen(
     predicted: &[PredictedGain],
     overall: usize,
-    per_group: usize,
+    per_kind: usize,
     floor: f64,
 ) -> Vec<PredictedGain> {
     let mut counts = [0; 3];
     let mut list = Vec::new();
     for (rank, predicted_gain) in predicted.iter().enumerate() {
-        let count = &mut counts[predicted_gain.group];
-        let in_group = *count < per_group && predicted_gain.gain > thresholds::WORTH_REFINING;
-        if (predicted_gain.gain > floor && rank < overall) || in_group {
+        let count = &mut counts[predicted_gain.shows as usize];
+        let in_kind = *count < per_kind && predicted_gain.gain > thresholds::WORTH_REFINING;
+        if (predicted_gain.gain > floor && rank < overall) || in_kind {
             *count += 1;
             list.push(predicted_gain.clone());
         }
@@ -309,7 +309,7 @@ mod tests {
                 gain,
                 parameters: vec![1.0],
                 shift: None,
-                group: 0,
+                shows: Shows::Response,
             };
             let mut plans = vec![Plan::new(&base, predicted_gain)];
             found.drop_hopeless(&mut plans, 3, worth);

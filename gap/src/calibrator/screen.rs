@@ -10,6 +10,7 @@ use super::problem::{Column, Problem, Tangent};
 use super::scatter::{QuietStarts, Scene};
 use super::settled::gradient;
 use crate::effects::library;
+use crate::model::effect::Shows;
 use crate::thresholds;
 
 /// All starts of all effects that apply, with their changes at the nominal fit.
@@ -139,7 +140,7 @@ impl Candidates {
                         gain,
                         parameters: start.parameters,
                         shift: None,
-                        group: 2,
+                        shows: Shows::Noise,
                     });
                 }
             }
@@ -226,7 +227,7 @@ mod tests {
                 gain: 100.0 * start.entry as f64 - rank(start) as f64,
                 parameters: Vec::new(),
                 shift: None,
-                group: 0,
+                shows: Shows::Response,
             })
         };
         let chosen: Vec<_> = nearest(all.iter().collect(), gain).collect();

@@ -139,6 +139,11 @@ impl Effect for SamplingJitter {
     }
 }
 
+/// Frequencies that a tone of the floor may have.
+fn tone_hz() -> &'static Parameter {
+    &environment::AMBIENT_VIBRATION.parameters[2]
+}
+
 impl Effect for AmbientVibration {
     fn entry(&self) -> &'static Entry {
         &environment::AMBIENT_VIBRATION
@@ -165,12 +170,16 @@ impl Effect for AmbientVibration {
         match self {
             Self::Broadband => noise,
             Self::ToneNearby | Self::ToneEverywhere => {
-                facts.drive && facts.level_known && facts.block_known && facts.lowest_hz < 32.0
+                facts.drive
+                    && facts.level_known
+                    && facts.block_known
+                    && facts.lowest_hz < tone_hz().upper
             }
         }
     }
     fn starts(&self, facts: &Facts) -> Vec<Start> {
         let smallest = 0.1 * facts.noise_v.max(1e-6) * facts.ms2_per_v[0];
+        let tone_hz = tone_hz();
         let measured = facts.excess_noise_v.iter().zip(facts.ms2_per_v);
         let measured = measured.map(|(v, ms2_per_v)| v * ms2_per_v * SQRT_2);
         let measured = measured.fold(0.0, f64::max);
@@ -178,7 +187,11 @@ impl Effect for AmbientVibration {
             .into_iter()
             .map(|size| match self {
                 Self::Broadband => Start::shape(vec![size]),
-                _ => Start::shape(vec![size, 0.1 * size, facts.lowest_hz.clamp(0.8, 32.0)]),
+                _ => Start::shape(vec![
+                    size,
+                    0.1 * size,
+                    facts.lowest_hz.clamp(tone_hz.lower, tone_hz.upper),
+                ]),
             })
             .collect()
     }
@@ -194,7 +207,10 @@ impl Effect for AmbientVibration {
         if matches!(self, Self::Broadband) {
             return Vec::new();
         }
-        let near = facts.frequencies_hz.iter().filter(|f| **f < 32.0);
+        let near = facts
+            .frequencies_hz
+            .iter()
+            .filter(|f| **f < tone_hz().upper);
         let tones = near.take(12).flat_map(|tone| {
             [0.03, 0.1, 0.3, 1.0].map(|part| vec![best[0], best[0] * part, *tone])
         });

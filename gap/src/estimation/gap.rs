@@ -19,7 +19,7 @@ pub struct GapSize {
     pub closed: Option<f64>,
     /// Root mean square of error over standard uncertainty, before.
     pub chi_before: f64,
-    /// As above, after.
+    /// Root mean square of error over standard uncertainty, after.
     pub chi_after: f64,
 }
 
@@ -49,7 +49,7 @@ pub struct Gap {
     pub chosen: Vec<&'static str>,
     /// Simulation error of a record in the unit of its output, r.m.s., before.
     pub rms_before: Option<f64>,
-    /// As above, after.
+    /// Simulation error of a record in the unit of its output, r.m.s., after.
     pub rms_after: Option<f64>,
     /// By observable.
     pub by_observable: BTreeMap<Group, GapSize>,

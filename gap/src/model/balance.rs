@@ -276,7 +276,7 @@ impl<'a> Work<'a> {
         if let Some(threshold) = self.bend.clip_v {
             let clip = Characteristic::Clip { threshold };
             let size = fundamental.norm();
-            if size > 0.75 * threshold {
+            if size > thresholds::NEAR_CLIPPING * threshold {
                 let input = clip.input_for(size);
                 let turn = fundamental / size;
                 for n in (3..=ORDERS).step_by(2) {

@@ -177,7 +177,7 @@ pub(super) fn drive(
     }
 }
 
-/// At high frequency the travel is too small to bend anything; the row is then linear to 1e-7.
+/// At high frequency the travel is too small to bend anything; the row is then linear.
 fn is_negligible(row: &Row, exciter: &Exciter, chain: &Chain, level_ms2: f64) -> bool {
     let bend = &chain.bend;
     if bend.friction_n != 0.0 || bend.even_per_v != 0.0 {
@@ -185,7 +185,7 @@ fn is_negligible(row: &Row, exciter: &Exciter, chain: &Chain, level_ms2: f64) ->
     }
     if let Some(threshold) = bend.clip_v {
         let per_v = size(exciter.acceleration_per_v(row.omega));
-        if level_ms2 * SQRT_2 / per_v > 0.75 * threshold {
+        if level_ms2 * SQRT_2 / per_v > thresholds::NEAR_CLIPPING * threshold {
             return false;
         }
     }
@@ -200,6 +200,6 @@ fn is_negligible(row: &Row, exciter: &Exciter, chain: &Chain, level_ms2: f64) ->
     let travel = level_ms2 * SQRT_2 / (row.omega * row.omega);
     let slope = 2.0 * bend.quadratic_n_per_m2.abs() * (travel + sag)
         + 3.0 * bend.cubic_n_per_m3.abs() * (travel + sag).powi(2);
-    slope < 1e-7 * exciter.dynamic_stiffness(row.omega).norm()
-        && bend.droop_per_m2.abs() * travel * travel < 1e-7
+    slope < thresholds::NEGLIGIBLE * exciter.dynamic_stiffness(row.omega).norm()
+        && bend.droop_per_m2.abs() * travel * travel < thresholds::NEGLIGIBLE
 }

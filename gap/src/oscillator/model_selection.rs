@@ -75,7 +75,8 @@ impl<'a> Tried<'a> {
     /// samples are drawn again, `stretch` of them come together.
     pub(super) fn causes(&self, part: &Run, stretch: usize) -> Vec<Cause> {
         let mut listed = self.weighed();
-        listed.retain(|w| w.probability > thresholds::LISTED_PROBABILITY);
+        listed.retain(|w| w.probability >= thresholds::LISTED_PROBABILITY);
+        listed.truncate(thresholds::MOST_CAUSES);
         let squares = listed.iter().map(|w| {
             let left = residual(&w.fit.values, part).unwrap_or_default();
             let stretches = left.chunks_exact(stretch.max(1));

@@ -2,7 +2,7 @@
 
 use super::run::Run;
 use crate::thresholds;
-use calib_effects::oscillator::INPUT_DELAY;
+use calib_effects::oscillator::{HYSTERESIS, INPUT_DELAY, SECOND_MODE};
 use std::ops::{Index, IndexMut};
 
 /// A parameter of a simulated oscillator. Forces are in units of w0^2, time in units of 1/w0;
@@ -115,6 +115,7 @@ pub(super) fn bound(
 ) {
     // A mode must lie below half the rate at which the force is known, the first one too.
     let half_rate = std::f64::consts::PI / record.interval_s;
+    let of = |known: &calib_effects::Parameter| (known.lower, known.upper);
     for &parameter in moved {
         let (lower, upper) = match parameter {
             LnResonance => (half_rate.ln() - thresholds::LOWEST_LN, half_rate.ln()),
@@ -124,14 +125,14 @@ pub(super) fn bound(
             Saturation | Clipping => (0.0, f64::INFINITY),
             HighpassCorner => (0.0, half_rate),
             // An output before its input is no delay.
-            Delay => (0.0, INPUT_DELAY.parameters[0].upper / record.interval_s),
+            Delay => (0.0, of(&INPUT_DELAY.parameters[0]).1 / record.interval_s),
             // Less would forget its state within rounding.
             Lag if moved.contains(&Lagging) => (thresholds::LAG_SEEN, record.input.len() as f64),
             Lag => (0.0, record.input.len() as f64),
             ModeLnRatio => (-7.0, half_rate.ln() - values[LnResonance]),
-            ModeDamping => (1e-4, 1.0),
+            ModeDamping => of(&SECOND_MODE.parameters[2]),
             DeadZone => (0.0, 10.0 * unit),
-            YieldingShare => (0.0, 10.0),
+            YieldingShare => of(&HYSTERESIS.parameters[0]),
             LnYieldDeflection => ((1e-3 * unit).ln(), (30.0 * unit).ln()),
             _ => (f64::NEG_INFINITY, f64::INFINITY),
         };

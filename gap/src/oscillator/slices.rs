@@ -6,15 +6,9 @@
 
 use super::fit::rms;
 use crate::estimation::gap::{GapSize, Slice};
+use crate::thresholds::{BAND_EDGES, LEVELS_OF_RECORDS, PERIODS_OF_A_STRETCH};
 use rustfft::FftPlanner;
 use rustfft::num_complex::Complex;
-
-/// Levels: the last fifth of the stretches is the loudest.
-const LEVELS: usize = 5;
-/// Periods of the resonance in a stretch.
-const PERIODS: f64 = 4.0;
-/// Edges of the bands, over the resonance.
-const EDGES: [f64; 4] = [0.5, 1.0, 2.0, 4.0];
 
 /// A held-out part: what was measured, and what two simulations miss of it.
 pub(super) struct Errors<'a> {
@@ -44,7 +38,7 @@ struct Squares {
 
 /// Samples of a stretch: a few periods.
 pub(super) fn stretch(resonance_hz: f64, interval_s: f64) -> usize {
-    ((PERIODS / (resonance_hz * interval_s)).ceil() as usize).max(16)
+    ((PERIODS_OF_A_STRETCH / (resonance_hz * interval_s)).ceil() as usize).max(16)
 }
 
 impl Errors<'_> {
@@ -62,7 +56,7 @@ impl Errors<'_> {
             .map(|at| (peak(at), at))
             .collect();
         stretches.sort_by(|a, b| a.0.total_cmp(&b.0));
-        if stretches.len() < 2 * LEVELS {
+        if stretches.len() < 2 * LEVELS_OF_RECORDS {
             return Vec::new();
         }
         let level = |group: &[(f64, usize)]| {
@@ -81,8 +75,8 @@ impl Errors<'_> {
             let beyond = to > self.fitted_peak;
             self.slice((from, to), beyond, rows, sums)
         };
-        let share = |at: usize| at * stretches.len() / LEVELS;
-        (0..LEVELS)
+        let share = |at: usize| at * stretches.len() / LEVELS_OF_RECORDS;
+        (0..LEVELS_OF_RECORDS)
             .map(|at| level(&stretches[share(at)..share(at + 1)]))
             .collect()
     }
@@ -95,7 +89,7 @@ impl Errors<'_> {
         let [before, after] = [self.before, self.after].map(spectrum);
         let edge = |over: f64| ((over * self.resonance_hz / line_hz) as usize).min(lines);
         let mut edges = vec![0];
-        edges.extend(EDGES.map(edge));
+        edges.extend(BAND_EDGES.map(edge));
         edges.push(lines);
         let total = count as f64 * rms(self.output).powi(2);
         let bands = edges.windows(2).filter(|edge| edge[1] > edge[0]);

@@ -37,7 +37,7 @@ pub(super) fn of_data<'a>(
     let mut sets: Vec<Fit> = found
         .sets
         .iter()
-        .filter(|s| s.probability > thresholds::LISTED_PROBABILITY && !s.fit.effects.is_empty())
+        .filter(|s| s.probability >= thresholds::LISTED_PROBABILITY && !s.fit.effects.is_empty())
         .map(|s| s.fit.clone())
         .take(thresholds::MOST_SETS)
         .collect();

@@ -6,6 +6,7 @@
 use crate::observable::Group;
 use crate::pictures::{Conditions, Datum, Residuals};
 use crate::summary::three_digits;
+use crate::thresholds;
 use serde::Serialize;
 
 /// Rows of a map: the observables of a group that are phases, or those that are not.
@@ -99,7 +100,11 @@ impl Bins {
         let finite = values.filter(|v| v.is_finite() && *v > 0.0);
         let (low, high) = finite.fold((f64::INFINITY, 0.0_f64), |(a, b), v| (a.min(v), b.max(v)));
         (high > 0.0).then(|| {
-            let count = if high > 1.01 * low { most } else { 1 };
+            let count = if high > thresholds::ONE_LEVEL * low {
+                most
+            } else {
+                1
+            };
             let step = (high / low).powf(1.0 / count as f64);
             let edges = (0..=count).map(|at| low * step.powi(at as i32));
             Self {

@@ -42,7 +42,7 @@ DAISY = ("Rafa7046", "Non_Linear_Identification", "e5c9b006b0a2ec1650bc018a5fb38
 
 RIG = 'kind = "calibrator"\nmeasurand = "dut_sensitivity"\n'
 
-# What the sources state of a rig, with a tenth of it as u; orders of magnitude where they state nothing.
+# Values that the sources state of a rig, with a tenth of it as u; orders of magnitude where they state nothing.
 LOUDSPEAKER = """kind = "calibrator"
 measurand = "drive"
 [exciter]

@@ -1,6 +1,8 @@
 //! An answer in words.
 
-use calib_gap::{Answer, Cause, Confirmation, Estimate, Gap, Verdict, Where, three_digits};
+use calib_gap::{
+    Answer, Cause, Confirmation, Estimate, Gap, PLACE_P_VALUE, Verdict, Where, three_digits,
+};
 use std::fmt::Write;
 
 /// The answer for a terminal.
@@ -85,14 +87,11 @@ fn cause(text: &mut String, word: &str, cause: &Cause) {
     }
 }
 
-/// P-value from which a place beside the first one is what noise shows.
-const NOISE_P_VALUE: f64 = 0.05;
-
 /// Where the gap lies. Once it is explained, a place that noise would show as well is left out.
 fn places(answer: &Answer) -> impl Iterator<Item = &Where> {
     let is_explained = answer.verdict == Verdict::Explained;
     let shown = move |(at, place): &(usize, &Where)| {
-        *at == 0 || !is_explained || place.p_value < NOISE_P_VALUE
+        *at == 0 || !is_explained || place.p_value < PLACE_P_VALUE
     };
     let all = answer.r#where.iter().enumerate();
     all.filter(shown).map(|(_, place)| place)
