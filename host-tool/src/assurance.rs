@@ -28,7 +28,7 @@ pub struct CheckState {
     /// Its results.
     pub results: usize,
     /// Time of the latest, s since 1970-01-01 UTC; none without a result.
-    pub latest_unix_time_s: Option<i64>,
+    pub last_unix_time_s: Option<i64>,
     /// The latest is older than it may be.
     pub overdue: bool,
     /// Signals against the latest; empty with fewer than six results.
@@ -57,7 +57,7 @@ pub struct Charts {
     pub mean_v_per_ms2: f64,
     /// Limits in which 99.73 % of sound results are, V/(m/s2).
     pub lower_v_per_ms2: f64,
-    /// As there.
+    /// Upper one of these limits, V/(m/s2).
     pub upper_v_per_ms2: f64,
     /// Limit of the differences, which sound ones exceed in 0.92 %, V/(m/s2).
     pub range_limit_v_per_ms2: f64,
@@ -165,11 +165,11 @@ fn state(standard: CheckStandard, results: &[HistoryResult], at_s: i64) -> Check
     let judged = chart.is_some();
     let charts = chart.as_ref().map(|chart| Charts::of(results, chart));
     let signals = chart.map(|chart| chart.signals).unwrap_or_default();
-    let latest_unix_time_s = latest.map(|result| result.unix_time_s);
+    let last_unix_time_s = latest.map(|result| result.unix_time_s);
     CheckState {
         results: results.len(),
-        latest_unix_time_s,
-        overdue: latest_unix_time_s.is_none_or(|latest_s| is_overdue(&standard, latest_s, at_s)),
+        last_unix_time_s,
+        overdue: last_unix_time_s.is_none_or(|latest_s| is_overdue(&standard, latest_s, at_s)),
         in_control: signals.is_empty() && e_n.is_none_or(|e_n| e_n.abs() <= 1.0),
         judged,
         signals,
@@ -285,14 +285,14 @@ pub fn certified(logbook: Option<&Logbook>, serial: &str) -> Result<Vec<Standard
 fn problem(standard: CheckStandard, all: &[HistoryResult], at_s: i64) -> Option<CheckProblem> {
     let before = all.partition_point(|result| result.unix_time_s <= at_s);
     let then = state(standard.clone(), &all[..before], at_s);
-    let Some(latest_s) = then.latest_unix_time_s else {
+    let Some(latest_s) = then.last_unix_time_s else {
         return Some(CheckProblem::Never);
     };
     if !then.in_control {
         return Some(CheckProblem::OutOfControl(day(latest_s)));
     }
     let since = state(standard, all, at_s);
-    let since_s = since.latest_unix_time_s.unwrap_or(latest_s);
+    let since_s = since.last_unix_time_s.unwrap_or(latest_s);
     match (since.in_control, then.overdue) {
         (false, _) => Some(CheckProblem::OutOfControl(day(since_s))),
         (true, true) => Some(CheckProblem::Overdue(day(latest_s))),

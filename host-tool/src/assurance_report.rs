@@ -73,7 +73,7 @@ fn at(unix_time_s: i64) -> String {
 }
 
 fn standard((state, index): (&CheckState, usize)) -> Section {
-    let latest = state.latest_unix_time_s.map_or("never".to_owned(), at);
+    let latest = state.last_unix_time_s.map_or("never".to_owned(), at);
     let mut facts = vec![
         Fact {
             bad: !state.in_control || state.overdue,
@@ -119,7 +119,7 @@ fn standard((state, index): (&CheckState, usize)) -> Section {
 }
 
 fn reference(state: &ReferenceState) -> Section {
-    let latest = at(state.latest_unix_time_s);
+    let latest = at(state.last_unix_time_s);
     let mut facts = vec![
         fact("stands", state.words()),
         fact("instrument", state.instrument_serial.as_str()),

@@ -73,7 +73,7 @@ pub fn of_record(
     Ok(particulars)
 }
 
-/// Place in the chain of the record whose bytes these are, by its neighbours in the logbook.
+/// Place in the hash chain of the record whose bytes these are, by its neighbours in the logbook.
 ///
 /// # Errors
 /// Those of the logbook.

@@ -201,7 +201,7 @@ pub struct ReferenceState {
     /// Checks with the equipment of the baseline, which is the first of them.
     pub checks: usize,
     /// Time of the latest, s since 1970-01-01 UTC.
-    pub latest_unix_time_s: i64,
+    pub last_unix_time_s: i64,
     /// Change by the latest.
     pub latest: Option<Change>,
     /// Signals of the chart against the latest; empty with fewer than six checks.
@@ -277,7 +277,7 @@ fn state(checks: &[SelfCheck], latest: &SelfCheck) -> Result<ReferenceState> {
         reference_serial: latest.reference.clone(),
         reference_certificate: latest.certificate.clone(),
         checks: changes.len(),
-        latest_unix_time_s: latest.measured_s,
+        last_unix_time_s: latest.measured_s,
         in_control: signals.is_empty() && !says.is_some_and(|change| change.significant),
         latest: says,
         signals,

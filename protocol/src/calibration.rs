@@ -17,7 +17,7 @@ pub const MAX_POINTS: usize = 200;
 /// One calibration, as stored.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Record {
-    /// Number, place in the chain, instrument and labels.
+    /// Number, place in the hash chain, instrument and labels.
     pub head: RecordHead,
     /// Settings and reference calibration the run was made with.
     pub settings: Settings,

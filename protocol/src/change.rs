@@ -19,7 +19,7 @@ use serde::Serialize;
 /// Other settings. It is serialized for people alone; stored by [`encode`].
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ReferenceChange {
-    /// Number, place in the chain, instrument, time and operator.
+    /// Number, place in the hash chain, instrument, time and operator.
     pub head: RecordHead,
     /// All settings in force from here on, those of the reference among them.
     pub settings: Settings,
@@ -79,7 +79,7 @@ pub fn decode(bytes: &[u8]) -> Result<ReferenceChange, RecordError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::record::{self, RunLabels, digest, inspect, link};
+    use crate::record::{self, RunLabels, digest, hash_link, inspect};
     use crate::settings_form;
     use crate::stored::{self, MAX_HEAD};
 
@@ -143,7 +143,7 @@ mod tests {
         let mut read = Settings::BLANK;
         assert_eq!(settings_form::read(&bytes[settings], &mut read), Ok(()));
         assert_eq!(read, change().settings);
-        let link = link(&bytes).expect("a record");
+        let link = hash_link(&bytes).expect("a record");
         assert_eq!((link.id, link.previous_sha256), (9, [7; 32]));
         assert_eq!(link.sha256, digest(&bytes));
         assert_eq!(link.sha256, summary.sha256);

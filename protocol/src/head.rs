@@ -11,12 +11,12 @@ pub type Sha256Sum = [u8; 32];
 /// SHA-256 of the bytes of a record, as [`crate::record::encode`] writes them.
 ///
 /// Each record carries that of the one before: a record that was removed or
-/// altered breaks the chain at the next.
+/// altered breaks the hash chain at the next.
 pub fn digest(record: &[u8]) -> Sha256Sum {
     Sha256::digest(record).into()
 }
 
-/// Number, place in the chain, instrument and labels of a record.
+/// Number, place in the hash chain, instrument and labels of a record.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RecordHead {
     /// Running number of the instrument, from 1, never used twice.

@@ -83,7 +83,7 @@ pub struct RecordSummary {
     pub kind: RecordKind,
 }
 
-/// Where a record stands in the chain of its instrument.
+/// Where a record stands in the hash chain of its instrument.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct HashLink {
     /// Kind of record.
@@ -226,11 +226,11 @@ impl Content<'_> {
     }
 }
 
-/// Where a record of any kind stands in the chain.
+/// Where a record of any kind stands in the hash chain.
 ///
 /// # Errors
 /// As [`decode`], for any kind.
-pub fn link(bytes: &[u8]) -> Result<HashLink, RecordError> {
+pub fn hash_link(bytes: &[u8]) -> Result<HashLink, RecordError> {
     let content = open(bytes)?;
     let head = content.head()?;
     Ok(HashLink {

@@ -73,7 +73,7 @@ fn a_change_of_the_reference_keeps_its_values() {
     let (before, after) = (&read.before.calibration, &read.settings.reference);
     let ratio = after.points[7].sensitivity_v_per_ms2 / before.points[7].sensitivity_v_per_ms2;
     assert!((ratio - 1.002).abs() < 1.0e-6);
-    let link = record::link(CHANGE).expect("a record");
+    let link = record::hash_link(CHANGE).expect("a record");
     assert_eq!(link.kind, RecordKind::ReferenceChange);
     let found = RecordKind::ReferenceChange;
     assert_eq!(record::decode(CHANGE), Err(RecordError::Kind { found }));

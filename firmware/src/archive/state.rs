@@ -12,7 +12,7 @@ use calib_protocol::settings_form::{self, InSections};
 use core::ops::Range;
 use serde::{Serialize, Serializer};
 
-/// Settings, running number, chain and release.
+/// Settings, running number, hash chain and release.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct State {
     /// Records up to this number may make room.

@@ -33,7 +33,7 @@ impl<F: CheckedFlash> Archive<'_, F> {
     }
 
     /// The record to be stored next, with its number and its place in the
-    /// chain, its settings and their provenance; the caller fills in the rest.
+    /// hash chain, its settings and their provenance; the caller fills in the rest.
     pub fn draft(&mut self, settings: &Settings) -> &mut Record {
         self.unpacked = None;
         let record = &mut *self.memory.record;

@@ -22,7 +22,7 @@ pub struct ConformityStatement {
     /// Base of the tolerance there.
     pub base: Option<Base>,
     /// Deviation from the base, relative.
-    pub deviation_rel: Option<f64>,
+    pub deviation_from_base_rel: Option<f64>,
     /// Lower limit of it.
     pub lower_limit_rel: Option<f64>,
     /// Upper limit of it.
@@ -50,7 +50,7 @@ impl Certificate {
             because,
             frequency_hz: None,
             base: None,
-            deviation_rel: None,
+            deviation_from_base_rel: None,
             lower_limit_rel: None,
             upper_limit_rel: None,
         };
@@ -74,7 +74,7 @@ impl Certificate {
         Some(ConformityStatement {
             frequency_hz: Some(decisive.point.nominal_frequency_hz),
             base: Some(decisive.band.base),
-            deviation_rel: finite(decisive.deviation_percent / 100.0),
+            deviation_from_base_rel: finite(decisive.deviation_percent / 100.0),
             lower_limit_rel: Some(decisive.band.lower_percent / 100.0),
             upper_limit_rel: Some(decisive.band.upper_percent / 100.0),
             ..plain(decisive.words(language))

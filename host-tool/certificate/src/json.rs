@@ -240,7 +240,7 @@ struct AsFound {
     /// Number of the certificate as found.
     certificate: String,
     /// Day of that calibration, ISO 8601.
-    date: Option<String>,
+    calibrated_day: Option<String>,
     /// Statement about the whole object.
     conformity: Stated,
     /// Points as found.
@@ -266,7 +266,7 @@ fn as_found(certificate: &Certificate) -> Option<AsFound> {
     };
     Some(AsFound {
         certificate: found.number.clone(),
-        date: found.day.map(|day| day.to_string()),
+        calibrated_day: found.day.map(|day| day.to_string()),
         conformity: found.stated_conformity(),
         points: judged(found).collect(),
         pairs: certificate.pairs().map(change).collect(),

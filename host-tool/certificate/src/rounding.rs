@@ -13,6 +13,7 @@ pub struct Rounded {
     /// Value, rounded to the last digit of the uncertainty.
     pub value: f64,
     /// Expanded uncertainty, rounded to two digits.
+    #[serde(rename = "expanded_uncertainty")]
     pub uncertainty: f64,
     /// Digits after the decimal point of both; never negative.
     pub decimals: usize,

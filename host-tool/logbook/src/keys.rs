@@ -245,7 +245,7 @@ pub(super) fn place(
     connection: &Connection,
     bytes: &[u8],
 ) -> rusqlite::Result<std::result::Result<i64, String>> {
-    let Ok(link) = record::link(bytes) else {
+    let Ok(link) = record::hash_link(bytes) else {
         return Ok(Ok(0));
     };
     let (instrument, number) = (link.instrument_serial.as_str(), link.id);

@@ -28,7 +28,7 @@ pub struct Instrument {
     #[serde(rename = "instrument_serial")]
     pub serial: String,
     /// Firmware of the last record.
-    pub firmware: String,
+    pub firmware_version: String,
     /// Serial number of the reference.
     pub reference_serial: String,
     /// Certificate of the reference.
@@ -71,7 +71,7 @@ impl Logbook {
             let table: String = row.get(5)?;
             Ok(Instrument {
                 serial: row.get(0)?,
-                firmware: row.get(1)?,
+                firmware_version: row.get(1)?,
                 reference_serial: row.get(2)?,
                 reference_certificate: row.get(3)?,
                 due_day: row.get(4)?,

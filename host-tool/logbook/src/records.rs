@@ -37,8 +37,8 @@ pub struct Listed {
     /// Number of the record, its instrument's.
     #[serde(rename = "record_id")]
     pub number: u32,
-    /// Seconds since 1970-01-01 UTC; 0 = not known.
-    pub unix_time_s: i64,
+    /// Seconds since 1970-01-01 UTC; none when the time was not known.
+    pub unix_time_s: Option<i64>,
     /// Serial number of the sensor.
     #[serde(rename = "dut_serial")]
     pub sensor_serial: String,
@@ -310,7 +310,7 @@ fn listed(row: &rusqlite::Row<'_>) -> rusqlite::Result<Listed> {
         id: row.get(0)?,
         instrument: row.get(1)?,
         number: row.get(2)?,
-        unix_time_s: row.get(3)?,
+        unix_time_s: Some(row.get(3)?).filter(|time_s| *time_s != 0),
         sensor_serial: row.get(4)?,
         sensor_model: row.get(5)?,
         operator: row.get(6)?,

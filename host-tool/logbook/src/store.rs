@@ -394,7 +394,7 @@ mod tests {
             assert_eq!(logbook.inspect().expect("read"), [""; 0]);
             for line in logbook.records(&crate::Filter::default()).expect("listed") {
                 let bytes = logbook.record(line.id).expect("kept");
-                let link = calib_protocol::record::link(&bytes).expect("a record");
+                let link = calib_protocol::record::hash_link(&bytes).expect("a record");
                 assert_eq!(link.kind, line.kind);
             }
         }

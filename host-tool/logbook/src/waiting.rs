@@ -89,7 +89,8 @@ impl Logbook {
             .collect();
         for place in waiting {
             let bytes = std::fs::read(&place).map_err(|e| Error::file("read", &place, e))?;
-            let of = record::link(&bytes).map(|link| link.instrument_serial.as_str().to_owned());
+            let of =
+                record::hash_link(&bytes).map(|link| link.instrument_serial.as_str().to_owned());
             if of.is_ok_and(|of| refused.contains_key(&of)) {
                 continue;
             }

@@ -77,6 +77,7 @@ pub struct TurnOverRow {
     /// The contribution, in words.
     pub what: String,
     /// Standard uncertainty, relative.
+    #[serde(rename = "standard_uncertainty_rel")]
     pub standard_rel: f64,
     /// It is the same the next time, with the same equipment at the same place.
     pub stays: bool,
@@ -108,7 +109,7 @@ pub struct TurnOver {
     /// Its relative expanded uncertainty (k = 2).
     pub certified_expanded_uncertainty_rel: f64,
     /// Result over certificate, less 1.
-    pub deviation_rel: f64,
+    pub change_rel: f64,
 }
 
 impl TurnOverReadings {
@@ -257,7 +258,7 @@ pub fn turn_over(read: &TurnOverReadings, reference: &ReferenceCalibration) -> R
         certified_hz: f64::from(certified.0),
         certified_v_per_ms2,
         certified_expanded_uncertainty_rel: f64::from(certified.1.expanded_uncertainty_rel),
-        deviation_rel: sensitivity.abs() / certified_v_per_ms2 - 1.0,
+        change_rel: sensitivity.abs() / certified_v_per_ms2 - 1.0,
     })
 }
 
@@ -290,12 +291,7 @@ impl TurnOver {
         let own = combined(&self.budget, |_| true);
         let standard_rel = own.hypot(0.5 * self.certified_expanded_uncertainty_rel);
         let freedom = self.freedom_of(standard_rel);
-        judged(
-            Against::Certificate,
-            self.deviation_rel,
-            standard_rel,
-            freedom,
-        )
+        judged(Against::Certificate, self.change_rel, standard_rel, freedom)
     }
 
     /// Effective degrees of freedom of something of this standard uncertainty that has the scatter in it.
@@ -317,7 +313,7 @@ impl TurnOver {
             100.0 * self.expanded_uncertainty_rel,
             1000.0 * self.certified_v_per_ms2,
             self.certified_hz,
-            100.0 * self.deviation_rel,
+            100.0 * self.change_rel,
             self.gravity_ms2,
             1000.0 * self.zero_v,
             1000.0 * self.zero_drift_v,

@@ -247,7 +247,7 @@ pub struct ChangeView {
     /// Serial number of the instrument.
     pub instrument_serial: String,
     /// Firmware version and git hash.
-    pub firmware: String,
+    pub firmware_version: String,
     /// SHA-256 of the record before; none for the first of the instrument.
     pub previous_sha256: Option<String>,
     /// Seconds since 1970-01-01 UTC; none when the time was not known.
@@ -270,7 +270,7 @@ impl From<&ReferenceChange> for ChangeView {
             record_id: head.id,
             kind: code(&RecordKind::ReferenceChange),
             instrument_serial: head.instrument_serial.to_string(),
-            firmware: head.firmware.to_string(),
+            firmware_version: head.firmware.to_string(),
             previous_sha256: (!is_first).then(|| hex::encode(head.previous_sha256)),
             unix_time_s: unix_time_s(head.labels.unix_time_s),
             operator: head.labels.operator.to_string(),

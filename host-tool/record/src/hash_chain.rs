@@ -23,7 +23,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// Where the chain does not hold.
+/// Where the hash chain does not hold.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Break {
     /// The instrument has records before and after these, and not these.
@@ -132,7 +132,7 @@ impl fmt::Display for Break {
     }
 }
 
-/// Standing of a record in the chain.
+/// Standing of a record in the hash chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Standing {
@@ -179,7 +179,7 @@ impl Evidence {
 
     /// Takes note of the bytes that stand for record `id`.
     pub fn bytes(&mut self, id: u32, bytes: &[u8]) {
-        match record::link(bytes) {
+        match record::hash_link(bytes) {
             Ok(link) if link.id == id && link.instrument_serial == *self.instrument_serial => {
                 self.links.insert(id, link);
                 // Of what is a record, a signature can be read, or is none.
@@ -202,7 +202,7 @@ impl Evidence {
                 continue;
             };
             let foreign = |link: HashLink| link.instrument_serial != *self.instrument_serial;
-            if !record::link(&bytes).is_ok_and(foreign) {
+            if !record::hash_link(&bytes).is_ok_and(foreign) {
                 self.bytes(id, &bytes);
             }
         }
@@ -233,7 +233,7 @@ impl Evidence {
         breaks
     }
 
-    /// Every place where the chain does not hold.
+    /// Every place where the hash chain does not hold.
     pub fn breaks(&self) -> Vec<Break> {
         let numbers: Vec<u32> = self.listed.keys().copied().collect();
         let gaps = numbers.windows(2).filter(|pair| pair[1] - pair[0] > 1);
@@ -292,7 +292,7 @@ mod tests {
 
     const SERIAL: &str = "CAL-0042";
 
-    /// Four records in a chain, one of them the log of a change.
+    /// Four records in a hash chain, one of them the log of a change.
     fn records() -> Vec<Vec<u8>> {
         let mut record = sample::record(&[160.0]);
         let mut chain: Vec<Vec<u8>> = Vec::new();
@@ -359,7 +359,10 @@ mod tests {
             for bit in 0..(bytes.len() - 4) * 8 {
                 let mut flipped = bytes.clone();
                 flipped[bit / 8] ^= 1 << (bit % 8);
-                assert!(record::link(&flipped).is_err(), "record {id}, bit {bit}");
+                assert!(
+                    record::hash_link(&flipped).is_err(),
+                    "record {id}, bit {bit}"
+                );
                 mend(&mut flipped);
                 let mut evidence = whole.clone();
                 evidence.links.remove(&id);

@@ -1,4 +1,4 @@
-//! `calib download ID...`: stored records into files, and their chain checked.
+//! `calib download ID...`: stored records into files, and their hash chain checked.
 
 use super::{Context, progress};
 use calib_files::file::Existing;
@@ -44,10 +44,10 @@ impl Downloaded {
             RecordKind::ReferenceChange => "change of settings".to_owned(),
         };
         let chain = match self.record_chain {
-            Standing::First => "first of the chain",
-            Standing::Verified => "chain verified",
+            Standing::First => "first of the hash chain",
+            Standing::Verified => "hash chain verified",
             Standing::NotAtHand => "the record before is not at hand",
-            Standing::Broken => "CHAIN BROKEN",
+            Standing::Broken => "HASH CHAIN BROKEN",
         };
         format!("{} ({content}; {chain})\n", self.file.display())
     }
@@ -55,7 +55,7 @@ impl Downloaded {
 
 impl Download {
     /// Downloads the records; an interrupted download goes on where it ended.
-    /// Reports the chain once the files are there.
+    /// Reports the hash chain once the files are there.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
         let mut client = context.connect()?;
         client.info()?;
@@ -98,7 +98,7 @@ impl Download {
     }
 }
 
-/// A broken chain is a failure, with every break by its number.
+/// A broken hash chain is a failure, with every break by its number.
 fn judge(client: &Client, breaks: &[Break]) -> Result<()> {
     if breaks.is_empty() {
         return Ok(());

@@ -84,7 +84,7 @@ pub(super) struct Output {
     /// With what it was found.
     equipment: Equipment,
     /// Warning about the ratio of the channels; none where it is known well enough and anew.
-    ratio: Option<String>,
+    ratio_remark: Option<String>,
     /// Running numbers of the ten records.
     record_ids: Vec<u32>,
     /// Kept in the logbook.
@@ -119,15 +119,15 @@ impl SelfcheckVerb {
         let logbook = context.logbook_if_there()?;
         let kept = Found::Reciprocity(Box::new(found.clone()));
         let changes = self_check::changes(logbook.as_ref(), last, &kept)?;
-        let ratio = self_check::about_the_ratio(logbook.as_ref(), last, &kept)?;
-        if let Some(open) = &ratio {
+        let ratio_remark = self_check::about_the_ratio(logbook.as_ref(), last, &kept)?;
+        if let Some(open) = &ratio_remark {
             context.remark(open);
         }
         if let Some(logbook) = &logbook {
             self_check::keep(logbook, last, &kept, self.baseline)?;
         }
         let output = Output {
-            ratio,
+            ratio_remark,
             record_ids: records.iter().map(|record| record.head.id).collect(),
             kept: logbook.is_some(),
             points: found.points.clone(),

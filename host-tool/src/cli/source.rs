@@ -54,7 +54,7 @@ impl Whose {
 pub(super) struct Found {
     /// Content.
     pub(super) content: Content,
-    /// Its place in the chain, by what is at hand.
+    /// Its place in the hash chain, by what is at hand.
     pub(super) standing: Standing,
 }
 
@@ -207,7 +207,7 @@ pub(super) fn of_logbook(logbook: &Logbook, bytes: &[u8]) -> Result<Found> {
 fn from_file(path: &Path, logbook: Option<&Logbook>) -> Result<Found> {
     let bytes = std::fs::read(path).map_err(|error| Error::file("read", path, error))?;
     let content = content(path, &bytes)?;
-    let link = record::link(&bytes).map_err(|error| unusable(path, error))?;
+    let link = record::hash_link(&bytes).map_err(|error| unusable(path, error))?;
     let mut evidence = Evidence::of(&link.instrument_serial);
     evidence.bytes(link.id, &bytes);
     evidence.neighbours(link.id, path.parent().unwrap_or(Path::new("")));

@@ -19,7 +19,7 @@ pub(super) struct Substitution {
     /// Running number of its record.
     standard_record_id: u32,
     /// Running number of the device's.
-    device_record_id: u32,
+    dut_record_id: u32,
     /// Every point that both records have, and the standard's certificate.
     points: Vec<Substituted>,
 }
@@ -64,7 +64,7 @@ impl Known {
         Ok(Substitution {
             standard_serial: self.serial.clone(),
             standard_record_id: standard.record.head.id,
-            device_record_id: device.head.id,
+            dut_record_id: device.head.id,
             points: substitute(&standard, device, particulars)?,
         })
     }
@@ -126,7 +126,7 @@ pub(super) fn text(substitution: &Substitution) -> String {
     format!(
         "\nby substitution of {} (record {standard}), S2 = S1 X2 / X1\n{table}calib certificate {} --substituted {standard}",
         substitution.standard_serial,
-        substitution.device_record_id,
+        substitution.dut_record_id,
         standard = substitution.standard_record_id,
     )
 }

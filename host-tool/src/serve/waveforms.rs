@@ -32,13 +32,13 @@ pub struct Waveforms {
     pub(super) number: u32,
     /// Frequency that was played, Hz.
     frequency_hz: f64,
-    /// Between two samples, ms.
+    /// Between two samples, s.
     step_s: f64,
     /// Reference, m/s2, without its mean.
     reference_ms2: Vec<f32>,
-    /// Device under test, mV, without its mean.
+    /// Device under test, V, without its mean.
     dut_v: Vec<f32>,
-    /// Frequency in Hz, reference in m/s2 r.m.s., device under test in mV r.m.s.
+    /// Frequency in Hz, reference in m/s2 r.m.s., device under test in V r.m.s.
     spectrum: Vec<[f32; 3]>,
     /// A signal reaches the end of its converter's range.
     clipped: bool,

@@ -51,7 +51,7 @@ mod tests {
             because: "+5.92 % of nominal, limit \u{b1}5 %, at 160 Hz (U = 0.77 %)".to_owned(),
             frequency_hz: None,
             base: None,
-            deviation_rel: None,
+            deviation_from_base_rel: None,
             lower_limit_rel: None,
             upper_limit_rel: None,
         };

@@ -39,7 +39,7 @@ fn expect_refusal(result: calib_link::Result<()>) {
 
 fn links(rigged: &mut Rigged) -> Result<Vec<HashLink>, Fault> {
     let listed = rigged.client.records()?;
-    let link = |id| Ok(record::link(&rigged.record(id)?)?);
+    let link = |id| Ok(record::hash_link(&rigged.record(id)?)?);
     listed.iter().map(|line| line.id).map(link).collect()
 }
 

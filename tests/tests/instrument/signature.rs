@@ -41,7 +41,7 @@ fn a_key_made_under_a_hand_signs_every_record_and_a_forgery_finds_no_place() -> 
     let key = rigged.under_a_hand(|client| Ok(client.make_key()?))?;
     let again = rigged.under_a_hand(|client| refusal(client.make_key()))?;
     assert_eq!(again, Refusal::KeyExists);
-    assert_eq!(key.since, record::link(&unsigned)?.id + 1);
+    assert_eq!(key.since, record::hash_link(&unsigned)?.id + 1);
     assert_eq!(rigged.client.key()?, Some(key));
 
     let true_one = measured(&mut rigged)?;
@@ -49,7 +49,7 @@ fn a_key_made_under_a_hand_signs_every_record_and_a_forgery_finds_no_place() -> 
 
     let folder = tempfile::tempdir()?;
     let mut logbook = Logbook::open(&folder.path().join("logbook.sqlite"))?;
-    logbook.enter_key(&record::link(&true_one)?.instrument_serial, &key)?;
+    logbook.enter_key(&record::hash_link(&true_one)?.instrument_serial, &key)?;
     // Every byte behind the settings, the results among them.
     let (_, settings) = record::inspect(&true_one)?;
     for at in settings.end..true_one.len() - 4 {

@@ -175,7 +175,7 @@ fn a_reference_turned_over_in_gravity_is_compared_kept_and_stated() {
     };
     readings(0.010, "measured = \"2025-12-01T14:30:00Z\"");
     let baseline = json(at, &verb(&["--baseline"]));
-    let off = baseline["deviation_rel"].as_f64().expect("a number");
+    let off = baseline["change_rel"].as_f64().expect("a number");
     // Of the fourth readings, 1e-5 of 0.11 V in 4 g S.
     assert!(off.abs() < 1e-5, "{off}");
     assert_eq!(baseline["changes"][0]["against"], "certificate");

@@ -102,7 +102,7 @@ pub(crate) fn result(frequency_hz: f32, seed: u32) -> PointResult {
     calib_protocol::stored_point::as_stored(&point)
 }
 
-/// Fills in everything but number, chain and provenance.
+/// Fills in everything but number, hash chain and provenance.
 pub(crate) fn fill(record: &mut Record, points: usize, seed: u32, settings: &Settings) {
     let (id, previous_sha256) = (record.head.id, record.head.previous_sha256);
     let provenance = record.provenance;

@@ -28,7 +28,7 @@ fn its_records_are_listed_and_served() {
     let mut previous = [0; 32];
     for line in &lines {
         let bytes = download(&mut archive, line.id).expect("reads");
-        let link = record::link(&bytes).expect("a record");
+        let link = record::hash_link(&bytes).expect("a record");
         assert_eq!((link.sha256, link.previous_sha256), (line.sha256, previous));
         previous = link.sha256;
         if line.kind == RecordKind::Calibration {
@@ -93,7 +93,7 @@ fn the_area_of_an_instrument_is_served() {
     for line in &lines {
         let bytes = download(&mut archive, line.id).expect("reads");
         assert_eq!(record::inspect(&bytes).expect("a record").0, *line);
-        let link = record::link(&bytes).expect("a record");
+        let link = record::hash_link(&bytes).expect("a record");
         assert_eq!(link.previous_sha256, previous);
         previous = link.sha256;
     }

@@ -65,7 +65,7 @@ fn each_record_carries_the_sum_of_the_one_before() {
     let settings = Settings::field_calibrator();
     let mut previous = [0; 32];
     for seed in 0..12 {
-        // A restart between any two records does not break the chain.
+        // A restart between any two records does not break the hash chain.
         let mut archive = desk.open(&flash).expect("opens");
         let (_, bytes) = store(&mut archive, 6, seed, &settings).expect("stores");
         let record = record::decode(&bytes).expect("a record");

@@ -15,7 +15,8 @@ pub struct Harmonic {
     pub order: u8,
     /// Amplitude over that of the fundamental, 1.
     pub amplitude_rel: f64,
-    /// Phase minus `order` times the phase of the fundamental, in (-pi, pi] rad; JSON has degrees.
+    /// Phase minus `order` times the phase of the fundamental, in (-pi, pi] rad.
+    #[schemars(description = "Phase minus `order` times the phase of the fundamental, degrees.")]
     #[serde(
         rename = "phase_deg",
         serialize_with = "calib_output::number::rad_as_deg"
@@ -40,13 +41,17 @@ pub struct ToneFit {
     /// Its standard uncertainty, V r.m.s.
     pub standard_uncertainty_rms_v: f64,
     /// Phase of the fundamental as `A cos(2 pi f t + phase)`, t from the first
-    /// sample on, in (-pi, pi] rad; JSON has degrees.
+    /// sample on, in (-pi, pi] rad.
+    #[schemars(
+        description = "Phase of the fundamental as a cosine, t from the first sample on, degrees."
+    )]
     #[serde(
         rename = "phase_deg",
         serialize_with = "calib_output::number::rad_as_deg"
     )]
     pub phase_rad: f64,
-    /// Its standard uncertainty, rad; JSON has degrees.
+    /// Its standard uncertainty, rad.
+    #[schemars(description = "Standard uncertainty of the phase, degrees.")]
     #[serde(
         rename = "standard_uncertainty_phase_deg",
         serialize_with = "calib_output::number::rad_as_deg"

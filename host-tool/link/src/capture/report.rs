@@ -24,7 +24,8 @@ pub struct Report {
     pub dut: Channel,
     /// Fundamental of the device over that of the reference, V/V.
     pub ratio: Option<f64>,
-    /// Its phase in (-pi, pi] rad; JSON has degrees.
+    /// Its phase in (-pi, pi] rad.
+    #[schemars(description = "Phase of the ratio, degrees.")]
     #[serde(
         rename = "phase_deg",
         serialize_with = "calib_output::number::maybe_rad_as_deg"

@@ -145,7 +145,7 @@ pub fn fetch(
 /// The place of a record that can be read to its end.
 fn whole(bytes: &[u8]) -> Result<HashLink, RecordError> {
     record::inspect(bytes)?;
-    record::link(bytes)
+    record::hash_link(bytes)
 }
 
 /// Facts from the calibrator and `folder` about records that were downloaded: their

@@ -44,6 +44,7 @@ pub struct Row {
     /// Even within bounds, sqrt(3) of its standard uncertainty wide to either side; else normal, or small.
     pub bounded: bool,
     /// Standard uncertainty of S1 at each frequency, relative, with the sign one quantity gives it.
+    #[serde(rename = "standard_uncertainty_rel")]
     pub standard_rel: Vec<f64>,
 }
 

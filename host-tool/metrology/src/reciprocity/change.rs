@@ -130,7 +130,7 @@ pub fn from_certificate(now: &Evaluation) -> Option<Change> {
     };
     let certified = mean(|point| point.certified_expanded_uncertainty_rel) / 2.0;
     let compared = Compared {
-        logarithm: mean(|point| (1.0 + point.deviation_rel).ln()),
+        logarithm: mean(|point| (1.0 + point.change_rel).ln()),
         count: indices.len(),
         square: square(&now.budget, &indices, |_| true) + certified * certified,
     };

@@ -46,7 +46,7 @@ pub struct CheckPoint {
     /// Its relative expanded uncertainty (k = 2).
     pub certified_expanded_uncertainty_rel: f64,
     /// Result over certificate, less 1.
-    pub deviation_rel: f64,
+    pub change_rel: f64,
 }
 
 /// Result of a check.
@@ -103,7 +103,7 @@ pub fn evaluate(runs: &Runs, equipment: &Equipment) -> Result<Evaluation, Recipr
                 .to_degrees(),
             certified_v_per_ms2: known.sensitivity_v_per_ms2,
             certified_expanded_uncertainty_rel: known.expanded_uncertainty_rel,
-            deviation_rel: sensitivity / known.sensitivity_v_per_ms2 - 1.0,
+            change_rel: sensitivity / known.sensitivity_v_per_ms2 - 1.0,
         }
     };
     let evaluation = Evaluation {
@@ -244,7 +244,7 @@ fn check_flatness(evaluation: &Evaluation) -> Result<(), ReciprocityError> {
         .filter(|index| is_judged(&evaluation.points[*index]))
         .collect();
     let count = judged.len().max(1) as f64;
-    let deviation = |index: &usize| evaluation.points[*index].deviation_rel;
+    let deviation = |index: &usize| evaluation.points[*index].change_rel;
     let mean = judged.iter().map(deviation).sum::<f64>() / count;
     let means = budget::means(&evaluation.budget, &judged);
     for index in &judged {

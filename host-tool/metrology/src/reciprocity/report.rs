@@ -21,7 +21,7 @@ pub fn report(evaluation: &Evaluation) -> String {
             format!("{:+.2}", point.phase_deg),
             format!("{:.2}", 100.0 * point.expanded_uncertainty_rel),
             format!("{:.4}", 1000.0 * point.certified_v_per_ms2),
-            format!("{:+.2}", 100.0 * point.deviation_rel),
+            format!("{:+.2}", 100.0 * point.change_rel),
         ]);
     }
     let exciter = &evaluation.exciter;

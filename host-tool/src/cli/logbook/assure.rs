@@ -172,8 +172,7 @@ fn report_text(report: &AssuranceReport) -> String {
 
 /// A reference by its checks: chart and judgement.
 fn reference_text(state: &ReferenceState) -> String {
-    let latest =
-        u64::try_from(state.latest_unix_time_s).map_or(String::new(), time::date_and_minute);
+    let latest = u64::try_from(state.last_unix_time_s).map_or(String::new(), time::date_and_minute);
     let mut text = format!(
         "\nreference {} of {}: {} by {} checks, the latest {latest}\n",
         state.reference_serial,
@@ -201,7 +200,7 @@ fn standards_text(report: &AssuranceReport) -> String {
     }
     let mut table = Table::new(&["serial", "Hz", "every/d", "results", "latest", "E_n", ""]);
     for state in &report.standards {
-        let latest = state.latest_unix_time_s.and_then(|s| u64::try_from(s).ok());
+        let latest = state.last_unix_time_s.and_then(|s| u64::try_from(s).ok());
         table.row([
             cut(&state.standard.serial, 16),
             state.standard.frequency_hz.to_string(),

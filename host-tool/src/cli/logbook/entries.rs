@@ -172,7 +172,7 @@ fn add(context: &Context, mut logbook: Logbook, files: Vec<PathBuf>) -> Result<(
             Kept::Added(id) => (id, true),
             Kept::Known(id) => (id, false),
         };
-        let link = record::link(&bytes).map_err(|error| {
+        let link = record::hash_link(&bytes).map_err(|error| {
             Error::input(
                 path.display().to_string(),
                 error.to_string(),
@@ -222,7 +222,7 @@ fn record_table(records: &[Listed]) -> String {
     for record in records {
         table.row([
             record.number.to_string(),
-            when(record.unix_time_s),
+            when(record.unix_time_s.unwrap_or(0)),
             match record.kind {
                 RecordKind::Calibration => cut(&record.sensor_serial, 16),
                 RecordKind::ReferenceChange => "(settings)".to_owned(),

@@ -19,7 +19,7 @@ pub(super) fn verify(
         let hint = "download it again with `calib download ID`";
         Error::input(file.display().to_string(), error.to_string(), hint)
     };
-    let link = record::link(bytes).map_err(unusable)?;
+    let link = record::hash_link(bytes).map_err(unusable)?;
     let serial = link.instrument_serial.as_str();
     let signed = signed(bytes).map_err(unusable)?;
     let by = match signed {

@@ -17,8 +17,8 @@ function line(state) {
   const name = document.createElement("button");
   name.textContent = state.dut_serial;
   name.addEventListener("click", () => draw(state));
-  const latest = state.latest_unix_time_s
-    ? new Date(1000 * state.latest_unix_time_s).toISOString().slice(0, 16).replace("T", " ") + "Z" : say("never");
+  const latest = state.last_unix_time_s
+    ? new Date(1000 * state.last_unix_time_s).toISOString().slice(0, 16).replace("T", " ") + "Z" : say("never");
   const bad = !state.in_control || state.overdue;
   const cells = row([name, figures(state.frequency_hz, 5), state.results, latest, state.e_n === null ? "" : decimals(state.e_n, 2), stands(state)],
     bad ? "failed" : "", [say("sensor"), "Hz", say("results"), say("measured"), "E_n", say("stands")]);
