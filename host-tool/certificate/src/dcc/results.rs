@@ -306,7 +306,7 @@ fn magnitudes<'a>(kind: SensorKind, points: &[Measured<'_>], language: Language)
         unit: kind.stated_unit().d_si().unwrap_or_default(),
         values: printed(|r| r.value),
         uncertainties: Some((printed(|r| r.uncertainty), factors.collect())),
-        conformity: judged.map(|a| a.conformity.name()).collect(),
+        conformity: judged.map(|a| spelled(a.conformity)).collect(),
     }
 }
 
@@ -416,4 +416,15 @@ fn conformity(xml: &mut Xml, certificate: &Certificate, statuses: &[&str], langu
             xml.leaf("dcc:conformityXMLList", &statuses.join(" "));
         });
     });
+}
+
+/// A conformity as the digital calibration certificate spells it.
+fn spelled(conformity: Conformity) -> &'static str {
+    match conformity {
+        Conformity::Pass => "pass",
+        Conformity::ConditionalPass => "conditionalPass",
+        Conformity::ConditionalFail => "conditionalFail",
+        Conformity::NotJudgeable => "notJudgeable",
+        Conformity::Fail => "fail",
+    }
 }

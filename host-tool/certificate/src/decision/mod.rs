@@ -21,9 +21,10 @@ mod stored;
 mod tolerance;
 
 use crate::kind::{SensitivityUnit, Specified};
+pub use calib_core::conformity::Conformity;
 pub use limits::{Band, Base, Limits};
 pub use request::{Request, RuleName};
-pub use rule::{Assessment, Conformity, Rule, Stated, assess};
+pub use rule::{Assessment, Rule, Stated, assess};
 pub use specification::{Place, Specification};
 pub use tolerance::Tolerance;
 

@@ -3,6 +3,7 @@
 use super::limits::Limits;
 use super::request::{Request, RuleName};
 use super::risk;
+use calib_core::conformity::Conformity;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -47,34 +48,6 @@ impl Rule {
                     )),
                 }
             }
-        }
-    }
-}
-
-/// Statement about a result, the best first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Conformity {
-    /// Accepted.
-    Pass,
-    /// Inside the tolerance, but not by the guard band.
-    ConditionalPass,
-    /// Outside the tolerance, but not by the guard band.
-    ConditionalFail,
-    /// The uncertainty is too large for the tolerance: no result could be accepted.
-    NotJudgeable,
-    /// Rejected.
-    Fail,
-}
-
-impl Conformity {
-    /// Name in files, as the digital calibration certificate spells it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Pass => "pass",
-            Self::ConditionalPass => "conditionalPass",
-            Self::ConditionalFail => "conditionalFail",
-            Self::NotJudgeable => "notJudgeable",
-            Self::Fail => "fail",
         }
     }
 }
