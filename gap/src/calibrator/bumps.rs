@@ -40,7 +40,7 @@ struct Spectrum {
 }
 
 /// A group of neighbouring frequencies that stands out; places in a list of them.
-struct Group {
+struct Cluster {
     first: usize,
     last: usize,
     p_value: f64,
@@ -108,7 +108,7 @@ impl Spectrum {
     }
 
     /// A group with those of its neighbours that more than noise is left in.
-    fn followed(&self, rest: &[usize], group: &Group) -> (usize, usize) {
+    fn followed(&self, rest: &[usize], group: &Cluster) -> (usize, usize) {
         let noise = self.parts.len() as f64;
         let more = |at: &&usize| self.square(**at) > noise;
         let before = rest[..group.first].iter().rev().take_while(more).count();
@@ -117,21 +117,21 @@ impl Spectrum {
     }
 
     /// The least probable group of the frequencies that are left.
-    fn largest(&self, rest: &[usize]) -> Option<Group> {
+    fn largest(&self, rest: &[usize]) -> Option<Cluster> {
         let groups = (1..=thresholds::WIDEST_BUMP).flat_map(|width| {
             let windows = rest.windows(width + 2).enumerate();
-            windows.map(move |(at, window)| Group {
+            windows.map(move |(at, window)| Cluster {
                 first: at + 1,
                 last: at + width,
                 p_value: self.probability(window),
             })
         });
-        let groups: Vec<Group> = groups.collect();
+        let groups: Vec<Cluster> = groups.collect();
         let tested = groups.len() as f64;
         let least = groups
             .into_iter()
             .min_by(|a, b| a.p_value.total_cmp(&b.p_value));
-        least.map(|group| Group {
+        least.map(|group| Cluster {
             p_value: (tested * group.p_value).min(1.0),
             ..group
         })

@@ -24,9 +24,9 @@ const EFFORT: Effort = Effort {
 };
 
 /// Conditions that tell rows apart.
-type Axis = fn(&Row) -> f64;
-const LEVEL: Axis = |row| row.level_ms2;
-const BAND: Axis = |row| row.frequency_hz;
+type Condition = fn(&Row) -> f64;
+const LEVEL: Condition = |row| row.level_ms2;
+const BAND: Condition = |row| row.frequency_hz;
 
 /// Scores by level, then by band, each level and band left out in turn.
 pub(crate) fn left_out(
@@ -45,14 +45,14 @@ pub(crate) fn left_out(
         slopes: &slopes,
         work,
     };
-    [LEVEL, BAND].map(|axis| {
-        let groups = groups(&stated(&problem.rows, axis));
-        let score = |(at, group): (usize, &Group)| {
-            let mut slice = whole.without(group, axis)?;
-            slice.beyond = at == 0 || at + 1 == groups.len();
+    [LEVEL, BAND].map(|condition| {
+        let folds = folds(&stated(&problem.rows, condition));
+        let score = |(at, fold): (usize, &Fold)| {
+            let mut slice = whole.without(fold, condition)?;
+            slice.beyond = at == 0 || at + 1 == folds.len();
             Some(slice)
         };
-        groups.iter().enumerate().filter_map(score).collect()
+        folds.iter().enumerate().filter_map(score).collect()
     })
 }
 
@@ -64,16 +64,19 @@ pub(crate) fn of_other(
     nominal: &Fit,
     best: &Fit,
 ) -> [Vec<Slice>; 2] {
-    [LEVEL, BAND].map(|axis| {
-        let known = range(&stated(&fitted.rows, axis));
-        let of = |group: &Group| {
-            let part = other.subset(rig, &|row| group.holds(axis(&other.rows[row])));
+    [LEVEL, BAND].map(|condition| {
+        let known = range(&stated(&fitted.rows, condition));
+        let of = |fold: &Fold| {
+            let part = other.subset(rig, &|row| fold.holds(condition(&other.rows[row])));
             let gap = score_on(fitted, &part, nominal, best);
-            let mut slice = Slice::new((group.from, group.to), &gap);
-            slice.beyond = group.from < known.0 || group.to > known.1;
+            let mut slice = Slice::new((fold.from, fold.to), &gap);
+            slice.beyond = fold.from < known.0 || fold.to > known.1;
             slice
         };
-        groups(&stated(&other.rows, axis)).iter().map(of).collect()
+        folds(&stated(&other.rows, condition))
+            .iter()
+            .map(of)
+            .collect()
     })
 }
 
@@ -87,8 +90,8 @@ struct Whole<'a> {
 }
 
 impl Whole<'_> {
-    fn without(&self, group: &Group, axis: Axis) -> Option<Slice> {
-        let inside = |row: usize| group.holds(axis(&self.problem.rows[row]));
+    fn without(&self, fold: &Fold, condition: Condition) -> Option<Slice> {
+        let inside = |row: usize| fold.holds(condition(&self.problem.rows[row]));
         let rest = self.problem.subset(self.rig, &|row| !inside(row));
         let part = self.problem.subset(self.rig, &inside);
         if rest.len() == 0 || part.len() == 0 {
@@ -119,25 +122,25 @@ impl Whole<'_> {
             &nominal
         };
         let gap = score_on(&rest, &part, &nominal, chosen);
-        Some(Slice::new((group.from, group.to), &gap))
+        Some(Slice::new((fold.from, fold.to), &gap))
     }
 }
 
 /// Rows of a level or a band.
-struct Group {
+struct Fold {
     from: f64,
     to: f64,
 }
 
-impl Group {
+impl Fold {
     fn holds(&self, value: f64) -> bool {
         (self.from..=self.to).contains(&value)
     }
 }
 
-/// Statement about an axis.
-fn stated(rows: &[Row], axis: Axis) -> Vec<f64> {
-    let values = rows.iter().map(axis);
+/// Values of a condition that rows state.
+fn stated(rows: &[Row], condition: Condition) -> Vec<f64> {
+    let values = rows.iter().map(condition);
     values.filter(|v| *v > 0.0 && v.is_finite()).collect()
 }
 
@@ -148,7 +151,7 @@ fn range(values: &[f64]) -> (f64, f64) {
 }
 
 /// Groups of values by equal steps of the logarithm; none where there is one value only.
-fn groups(values: &[f64]) -> Vec<Group> {
+fn folds(values: &[f64]) -> Vec<Fold> {
     let (lowest, highest) = range(values);
     if highest <= thresholds::ONE_LEVEL * lowest {
         return Vec::new();
@@ -163,7 +166,7 @@ fn groups(values: &[f64]) -> Vec<Group> {
     let of = |at: usize| {
         let inside: Vec<f64> = values.iter().copied().filter(|v| place(*v) == at).collect();
         let (from, to) = range(&inside);
-        (!inside.is_empty()).then_some(Group { from, to })
+        (!inside.is_empty()).then_some(Fold { from, to })
     };
     (0..thresholds::MOST_SLICES).filter_map(of).collect()
 }
@@ -176,8 +179,8 @@ mod tests {
     fn levels_that_were_held_alike_stay_together() {
         // Two decades in four steps: edges at 3.16, 10 and 31.6.
         let levels = [1.0, 3.0, 9.999_999, 10.0, 10.000_001, 30.0, 100.0];
-        let found: Vec<(f64, f64)> = groups(&levels).iter().map(|g| (g.from, g.to)).collect();
+        let found: Vec<(f64, f64)> = folds(&levels).iter().map(|g| (g.from, g.to)).collect();
         assert_eq!(found, [(1.0, 3.0), (9.999_999, 30.0), (100.0, 100.0)]);
-        assert!(groups(&[10.0, 10.000_001]).is_empty());
+        assert!(folds(&[10.0, 10.000_001]).is_empty());
     }
 }

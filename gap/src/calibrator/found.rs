@@ -93,14 +93,14 @@ impl<'a> Found<'a> {
         best + thresholds::OUT_OF_REACH.max(share.min(half))
     }
 
-    /// Drops plans that cannot compete even if they gain more than the screening predicts.
+    /// Drops extensions that cannot compete even if they gain more than the screening predicts.
     ///
     /// An effect that scatters can pass a gap off as noise, and then leads any one of several effects that are there:
     /// where the leading set leaves more than noise, a set without such an effect competes with its like alone, if
     /// what is added to it is more than a correction.
     ///
     /// Beside a part of it that leaves noise only, a set is worth a try where it promises `worth` more than that part.
-    pub(super) fn drop_hopeless(&self, plans: &mut Vec<Plan>, size: usize, worth: f64) {
+    pub(super) fn drop_hopeless(&self, extensions: &mut Vec<Extension>, size: usize, worth: f64) {
         let cost = |f: &Fit| f.objective + thresholds::EFFECT_COST * f.effects.len() as f64;
         let least = |best: f64, fit| cost(fit).min(best);
         let best = self.fits.iter().fold(f64::INFINITY, least);
@@ -111,24 +111,24 @@ impl<'a> Found<'a> {
             steady.fold(f64::INFINITY, least)
         };
         let found = &self.fits;
-        plans.retain(|plan| {
-            let entries = plan.entries();
+        extensions.retain(|extension| {
+            let entries = extension.entries();
             // Hardly better than a part of it that leaves noise only: the part is the better base for the same set.
             let worse = found.iter().any(|f| {
                 f.effects.len() < size
-                    && f.objective < plan.predicted + worth
+                    && f.objective < extension.predicted + worth
                     && self.is_noise(f)
                     && f.effects.iter().all(|e| entries.contains(&e.entry))
             });
-            let gain = plan.predicted_gain.gain;
-            let is_cause = gain > thresholds::CAUSE_SHARE * self.beyond_noise(&plan.base.fit);
-            let best = if is_cause && !plan.scatters() {
+            let gain = extension.predicted_gain.gain;
+            let is_cause = gain > thresholds::CAUSE_SHARE * self.beyond_noise(&extension.base.fit);
+            let best = if is_cause && !extension.scatters() {
                 best_steady
             } else {
                 best
             };
             !worse
-                && plan.predicted - thresholds::GAIN_SLACK * plan.predicted_gain.gain
+                && extension.predicted - thresholds::GAIN_SLACK * extension.predicted_gain.gain
                     + thresholds::EFFECT_COST * (size as f64)
                     < best + thresholds::COMPETING
         });
@@ -171,13 +171,13 @@ pub(super) struct Base {
 }
 
 /// An effect to add to a base, with the objective that the screening predicts.
-pub(super) struct Plan {
+pub(super) struct Extension {
     pub(super) predicted: f64,
     pub(super) base: Rc<Base>,
     pub(super) predicted_gain: PredictedGain,
 }
 
-impl Plan {
+impl Extension {
     pub(super) fn new(base: &Rc<Base>, predicted_gain: PredictedGain) -> Self {
         Self {
             predicted: base.fit.objective - predicted_gain.gain,
@@ -311,9 +311,9 @@ mod tests {
                 shift: None,
                 shows: Shows::Response,
             };
-            let mut plans = vec![Plan::new(&base, predicted_gain)];
-            found.drop_hopeless(&mut plans, 3, worth);
-            plans.len()
+            let mut extensions = vec![Extension::new(&base, predicted_gain)];
+            found.drop_hopeless(&mut extensions, 3, worth);
+            extensions.len()
         };
         assert_eq!([left(60.0, 25.0), left(80.0, 25.0)], [0, 1]);
         assert_eq!([left(40.0, 0.0), left(60.0, 0.0)], [0, 1]);

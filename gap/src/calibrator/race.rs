@@ -2,7 +2,7 @@
 
 use super::candidate::{PredictedGain, active};
 use super::fit::{Fit, Workspace};
-use super::found::{Found, Plan};
+use super::found::{Extension, Found};
 use super::problem::Problem;
 use super::refine::{FULL, moved, refine, refine_with};
 use crate::effects::library;
@@ -12,24 +12,24 @@ use crate::model::effect::Active;
 /// Refines a proposed set and keeps what it finds; `nominal` is the objective without effects.
 pub(super) fn race(
     problem: &Problem,
-    plan: &Plan,
+    extension: &Extension,
     nominal: f64,
     found: &mut Found<'_>,
     work: &mut Workspace,
 ) {
-    let size = plan.base.fit.effects.len() + 1;
-    let within = found.within_reach(size, nominal, plan.scatters());
+    let size = extension.base.fit.effects.len() + 1;
+    let within = found.within_reach(size, nominal, extension.scatters());
     let effort = Effort { within, ..FULL };
-    found.keep(refined(problem, plan, effort, work));
+    found.keep(refined(problem, extension, effort, work));
 }
 
 /// The set from where the screening expects it.
-fn refined(problem: &Problem, plan: &Plan, effort: Effort, work: &mut Workspace) -> Fit {
-    let predicted_gain = &plan.predicted_gain;
-    let base = shifted(problem, &plan.base.fit, predicted_gain, work);
+fn refined(problem: &Problem, extension: &Extension, effort: Effort, work: &mut Workspace) -> Fit {
+    let predicted_gain = &extension.predicted_gain;
+    let base = shifted(problem, &extension.base.fit, predicted_gain, work);
     let effect = library()[predicted_gain.entry];
     // A second bend changes the slopes of the first.
-    let slopes = plan
+    let slopes = extension
         .base
         .slopes
         .as_ref()

@@ -1,7 +1,7 @@
 //! Which set of effects: none, singles, pairs, with their probabilities.
 
 use super::fit::{Fit, Workspace};
-use super::found::{Base, Found, Plan, chosen, entries};
+use super::found::{Base, Extension, Found, chosen, entries};
 use super::model_selection::{Scored, normalise, score};
 use super::problem::Problem;
 use super::race::race;
@@ -182,19 +182,19 @@ impl Searcher<'_> {
             fit: nominal.clone(),
             slopes,
         });
-        let mut plans: Vec<Plan> = chosen(&predicted, 16, 4, floor)
+        let mut extensions: Vec<Extension> = chosen(&predicted, 16, 4, floor)
             .into_iter()
             .filter(|p| {
                 let mut singles = self.found.of_size(1);
                 !singles.any(|f| f.has(p.entry))
             })
-            .map(|p| Plan::new(&base, p))
+            .map(|p| Extension::new(&base, p))
             .collect();
         if seeded {
-            self.found.drop_hopeless(&mut plans, 1, 0.0);
+            self.found.drop_hopeless(&mut extensions, 1, 0.0);
         }
-        for plan in plans {
-            self.race(&plan, nominal.objective);
+        for extension in extensions {
+            self.race(&extension, nominal.objective);
         }
     }
 
@@ -216,14 +216,15 @@ impl Searcher<'_> {
                 exchanged = leads;
                 self.exchange_bases(size)
             };
-            let mut plans = self.plans(bases, growth, &tried);
-            self.found.drop_hopeless(&mut plans, size, growth.worth);
-            if plans.is_empty() {
+            let mut extensions = self.extensions(bases, growth, &tried);
+            self.found
+                .drop_hopeless(&mut extensions, size, growth.worth);
+            if extensions.is_empty() {
                 break;
             }
             any = true;
-            plans.sort_by(|a, b| a.predicted.total_cmp(&b.predicted));
-            self.refine_plans(plans, &mut tried, growth.most, nominal);
+            extensions.sort_by(|a, b| a.predicted.total_cmp(&b.predicted));
+            self.refine_extensions(extensions, &mut tried, growth.most, nominal);
             if growth.beyond && !self.found.closes(size) {
                 return false;
             }
@@ -232,8 +233,13 @@ impl Searcher<'_> {
     }
 
     /// Additions worth a try beside each of some sets, but for sets that were tried.
-    fn plans(&mut self, bases: Vec<Fit>, growth: &Growth, tried: &[Vec<usize>]) -> Vec<Plan> {
-        let mut plans: Vec<Plan> = Vec::new();
+    fn extensions(
+        &mut self,
+        bases: Vec<Fit>,
+        growth: &Growth,
+        tried: &[Vec<usize>],
+    ) -> Vec<Extension> {
+        let mut extensions: Vec<Extension> = Vec::new();
         for fit in bases {
             if !self.is_news(&fit) {
                 continue;
@@ -242,13 +248,16 @@ impl Searcher<'_> {
             let share = growth.share * self.found.beyond_noise(&fit);
             let base = Rc::new(Base { fit, slopes });
             let shows = predicted.partition_point(|p| p.gain > growth.least.max(share));
-            let plan = chosen(&predicted[..shows], 5, 2, growth.floor).into_iter();
-            plans.extend(
-                plan.map(|predicted_gain| Plan::new(&base, predicted_gain))
-                    .filter(|plan| !plan.repeats() && !tried.contains(&plan.entries())),
+            let extension = chosen(&predicted[..shows], 5, 2, growth.floor).into_iter();
+            extensions.extend(
+                extension
+                    .map(|predicted_gain| Extension::new(&base, predicted_gain))
+                    .filter(|extension| {
+                        !extension.repeats() && !tried.contains(&extension.entries())
+                    }),
             );
         }
-        plans
+        extensions
     }
 
     /// Whether a set was not screened beside yet, or only where it described the data less well.
@@ -262,28 +271,34 @@ impl Searcher<'_> {
         news
     }
 
-    fn race(&mut self, plan: &Plan, nominal: f64) {
-        race(self.problem, plan, nominal, &mut self.found, &mut self.work);
+    fn race(&mut self, extension: &Extension, nominal: f64) {
+        race(
+            self.problem,
+            extension,
+            nominal,
+            &mut self.found,
+            &mut self.work,
+        );
     }
 
-    fn refine_plans(
+    fn refine_extensions(
         &mut self,
-        plans: Vec<Plan>,
+        extensions: Vec<Extension>,
         tried: &mut Vec<Vec<usize>>,
         most: usize,
         nominal: f64,
     ) {
         // Steady sets and those that scatter: one kind does not take the other's turns.
         let mut turns = [most; 2];
-        for plan in plans {
-            let entries = plan.entries();
-            let left = &mut turns[usize::from(plan.scatters())];
+        for extension in extensions {
+            let entries = extension.entries();
+            let left = &mut turns[usize::from(extension.scatters())];
             if *left == 0 || tried.contains(&entries) {
                 continue;
             }
             *left -= 1;
             tried.push(entries);
-            self.race(&plan, nominal);
+            self.race(&extension, nominal);
         }
     }
 

@@ -1,7 +1,7 @@
 //! Answer for a record: verdict, place, next measurement, pictures.
 
 use super::fit::{Fitted, compared, rms};
-use super::holdout::{Scored, motion, peak};
+use super::holdout::{HeldOut, motion, peak};
 use super::lack_of_fit::Parity;
 use super::model::TERMS;
 use super::model_selection::Step;
@@ -28,7 +28,7 @@ pub(super) fn answer(
     steps: &[Step],
     part: &Run,
     held: &Run,
-    mut scored: Scored,
+    mut held_out: HeldOut,
     dataset: DatasetSummary,
 ) -> Answer {
     let last = &steps[steps.len() - 1];
@@ -40,25 +40,29 @@ pub(super) fn answer(
             .causes(part, stretch(resonance_hz, part.interval_s)),
     };
     let mut causes = causes;
-    let verdict = verdict(&causes, steps, &scored);
+    let verdict = verdict(&causes, steps, &held_out);
     if verdict == Verdict::NoGap {
-        scored.gap.size.closed = None;
+        held_out.gap.size.closed = None;
     }
     let confusable = hardly_separated(&causes, verdict);
     let probability_other = share_with_others(
         &mut causes,
         verdict,
         last.left.p_value,
-        &scored.gap,
+        &held_out.gap,
         &thresholds::OUTSIDE_OF_RECORDS,
     );
-    let verdict = doubted(verdict, causes.first().map(|c| c.probability), &scored.gap);
+    let verdict = doubted(
+        verdict,
+        causes.first().map(|c| c.probability),
+        &held_out.gap,
+    );
     let partly = matches!(verdict, Verdict::PartlyExplained | Verdict::Unexplained);
     let answer = Answer {
         summary: String::new(),
         remainder: partly.then(|| Remainder {
             observable: Group::Output,
-            rms_rel: scored.gap.size.after_rel,
+            rms_rel: held_out.gap.size.after_rel,
             axis: Axis::Amplitude,
             from: 0.0,
             to: peak(&motion(&last.fit, held)),
@@ -70,17 +74,17 @@ pub(super) fn answer(
         none_of_these_p_value: last.left.p_value,
         confusable,
         next_measurement: next_measurement(verdict, &causes),
-        gap: scored.gap,
+        gap: held_out.gap,
         nominal_parameters: linear_parameters(&last.fit, part.driven),
         dataset,
         confirmation: None,
-        pictures: trace(held, scored.errors),
+        pictures: trace(held, held_out.errors),
         causes,
     };
     answer.summarised()
 }
 
-fn verdict(causes: &[Cause], steps: &[Step], scored: &Scored) -> Verdict {
+fn verdict(causes: &[Cause], steps: &[Step], held_out: &HeldOut) -> Verdict {
     let evidence = Evidence {
         // A term is only added where it is worth its cost.
         none: 0.0,
@@ -93,14 +97,14 @@ fn verdict(causes: &[Cause], steps: &[Step], scored: &Scored) -> Verdict {
         ..evidence
     };
     let tied = conclude(&white) == Verdict::Ambiguous;
-    let nearly_all = scored
+    let nearly_all = held_out
         .gap
         .size
         .closed
         .is_some_and(|c| c > thresholds::NEARLY_ALL);
     match conclude(&evidence) {
         Verdict::Unexplained if tied && nearly_all => Verdict::Ambiguous,
-        verdict => heard(verdict, &scored.gap, false),
+        verdict => heard(verdict, &held_out.gap, false),
     }
 }
 

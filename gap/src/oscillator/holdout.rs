@@ -90,13 +90,13 @@ pub(super) fn square_on(part: &Run, record: &Run, fit: &Fitted) -> f64 {
 }
 
 /// Errors on the held-out record before and after, and what is stated of them.
-pub(super) struct Scored {
+pub(super) struct HeldOut {
     pub(super) gap: Gap,
     /// Simulation errors without and with the terms.
     pub(super) errors: [Vec<f64>; 2],
 }
 
-impl Scored {
+impl HeldOut {
     /// `None` if a simulation diverges on the held-out record.
     pub(super) fn new(steps: &[Step], part: &Run, held: &Run) -> Option<Self> {
         let last = &steps[steps.len() - 1];

@@ -39,7 +39,7 @@ use crate::error::GapError;
 use crate::options::Options;
 use answer::answer;
 use hold::grown;
-use holdout::{Scored, parts};
+use holdout::{HeldOut, parts};
 use run::{FEWEST_STEPS, Run};
 use starts::linear;
 
@@ -65,7 +65,7 @@ pub(crate) fn diagnose(
     let held = Run::new(&held, FEWEST_STEPS);
     let (steps, part) = grown(part, start, &held, options);
     let held = held.as_in(&part);
-    let scored = Scored::new(&steps, &part, &held)
+    let held_out = HeldOut::new(&steps, &part, &held)
         .ok_or_else(|| unusable("the oscillator diverges on the held-out record"))?;
     let summary = DatasetSummary {
         path,
@@ -74,5 +74,5 @@ pub(crate) fn diagnose(
         input_held: part.driven.then_some(part.holds),
         sha256: dataset.sha256.clone(),
     };
-    Ok(answer(&steps, &part, &held, scored, summary))
+    Ok(answer(&steps, &part, &held, held_out, summary))
 }

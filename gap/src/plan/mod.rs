@@ -1,7 +1,7 @@
 //! Which measurements best separate what is still possible, and by how many sigma.
 //!
 //! ```text
-//! candidates   settings and points the rig can hold, with what would be measured there
+//! proposals   settings and points the rig can hold, with what would be measured there
 //! hypotheses   sets of effects that are still possible, as fitted or of a usual size
 //! duel         one set is true, the other is refitted: what is left, in sigma
 //! side         what both say of the same data, and what is refitted
@@ -14,9 +14,9 @@
 //! the points that are added. Points are chosen one by one, each the one that
 //! raises the pairs below five sigma most.
 
-mod candidates;
 mod duel;
 mod hypotheses;
+mod proposals;
 mod side;
 
 use crate::answer::Verdict;
@@ -24,9 +24,9 @@ use crate::calibrator::problem::Problem;
 use crate::dataset::{Dataset, Measured};
 use crate::error::GapError;
 use crate::thresholds;
-use candidates::Candidates;
-pub use candidates::Measurement;
 use duel::Duel;
+pub use proposals::Measurement;
+use proposals::Proposals;
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -71,17 +71,17 @@ pub fn plan(folder: &Path, nothing_measured: bool, most: usize) -> Result<Plan, 
         ));
     };
     let problem = Problem::new(&dataset.rig, points);
-    let candidates = Candidates::new(&dataset.rig, points, &problem, nothing_measured);
+    let proposals = Proposals::new(&dataset.rig, points, &problem, nothing_measured);
     let (verdict, pairs) = if nothing_measured {
-        (None, hypotheses::of_library(&candidates.problem))
+        (None, hypotheses::of_library(&proposals.problem))
     } else {
-        hypotheses::of_data(&problem, &candidates.problem)
+        hypotheses::of_data(&problem, &proposals.problem)
     };
     let old = (!nothing_measured).then_some(&problem);
     let mut duels: Vec<Duel> = pairs
         .list
         .par_iter()
-        .filter_map(|(truth, rival)| Duel::new(old, &candidates.problem, pairs.of, [truth, rival]))
+        .filter_map(|(truth, rival)| Duel::new(old, &proposals.problem, pairs.of, [truth, rival]))
         .collect();
     duels.sort_by(|a, b| a.sigma().total_cmp(&b.sigma()));
     let before: Vec<f64> = duels.iter().map(Duel::sigma).collect();
@@ -90,7 +90,7 @@ pub fn plan(folder: &Path, nothing_measured: bool, most: usize) -> Result<Plan, 
     let mut useful = 0;
     while measurements.len() < most {
         let told: f64 = duels.iter().map(|d| d.square().min(ENOUGH)).sum();
-        let Some(measurement) = next(&candidates, &mut duels) else {
+        let Some(measurement) = next(&proposals, &mut duels) else {
             break;
         };
         measurements.push(measurement);
@@ -129,19 +129,19 @@ fn merged(duels: &[Duel], before: &[f64]) -> Vec<Pair> {
 }
 
 /// Takes the point that helps most, if any does.
-fn next(candidates: &Candidates, duels: &mut [Duel]) -> Option<Measurement> {
+fn next(proposals: &Proposals, duels: &mut [Duel]) -> Option<Measurement> {
     let worth = |duel: &Duel, gain: f64| (duel.square() + gain).min(ENOUGH) - duel.square();
-    let gains: Vec<(f64, usize, usize)> = (0..candidates.list.len())
+    let gains: Vec<(f64, usize, usize)> = (0..proposals.list.len())
         .into_par_iter()
         .map(|at| {
-            let candidate = &candidates.list[at];
+            let proposal = &proposals.list[at];
             let mut sum = 0.0;
             let mut most = (0.0, 0);
             for (index, duel) in duels.iter().enumerate() {
                 if duel.square() >= ENOUGH {
                     continue;
                 }
-                let (gain, taught) = duel.gain(candidate.row, &candidate.known);
+                let (gain, taught) = duel.gain(proposal.row, &proposal.known);
                 let gain = worth(duel, gain);
                 // A cause that needs two points to show is found by the first that prepares it.
                 sum += gain + thresholds::PREPARES * taught.min(thresholds::MOST_TAUGHT);
@@ -150,18 +150,18 @@ fn next(candidates: &Candidates, duels: &mut [Duel]) -> Option<Measurement> {
                 }
             }
             // Settings that are dear to reach must be worth it.
-            (sum / candidate.effort, at, most.1)
+            (sum / proposal.effort, at, most.1)
         })
         .collect();
     let best = gains.into_iter().max_by(|a, b| a.0.total_cmp(&b.0))?;
     if best.0 < thresholds::WORTH_A_POINT {
         return None;
     }
-    let candidate = &candidates.list[best.1];
-    let look_at = duels[best.2].look_at(candidate.row, &candidate.known);
+    let proposal = &proposals.list[best.1];
+    let look_at = duels[best.2].look_at(proposal.row, &proposal.known);
     duels
         .par_iter_mut()
-        .for_each(|duel| duel.add(candidate.row, &candidate.known));
+        .for_each(|duel| duel.add(proposal.row, &proposal.known));
     let duel = &duels[best.2];
-    Some(candidates.describe(candidate, look_at, duel))
+    Some(proposals.describe(proposal, look_at, duel))
 }

@@ -11,8 +11,8 @@ use serde::Serialize;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// One point that could be measured.
-pub(super) struct Candidate {
-    /// Row of [`Candidates::problem`].
+pub(super) struct Proposal {
+    /// Row of [`Proposals::problem`].
     pub(super) row: usize,
     /// Whether each observable would be measured.
     pub(super) known: Table<bool>,
@@ -22,16 +22,16 @@ pub(super) struct Candidate {
 }
 
 /// All points that could be measured, in one new run.
-pub(super) struct Candidates {
+pub(super) struct Proposals {
     /// The points as a problem with all columns.
     pub(super) problem: Problem,
-    pub(super) list: Vec<Candidate>,
+    pub(super) list: Vec<Proposal>,
     points: Vec<Point>,
     reference_temperature_c: f64,
     levels_known: bool,
 }
 
-impl Candidates {
+impl Proposals {
     pub(super) fn new(rig: &Rig, points: &[Point], measured: &Problem, all_columns: bool) -> Self {
         let mut efforts = Vec::new();
         let mut grid = Vec::new();
@@ -64,7 +64,7 @@ impl Candidates {
                     1.0
                 };
                 if !extra || all != base {
-                    list.push(Candidate {
+                    list.push(Proposal {
                         row,
                         known,
                         extra,
@@ -85,12 +85,12 @@ impl Candidates {
     /// A chosen point in words.
     pub(super) fn describe(
         &self,
-        candidate: &Candidate,
+        proposal: &Proposal,
         look_at: &'static str,
         duel: &Duel,
     ) -> Measurement {
-        let point = &self.points[candidate.row];
-        let extra: &[&'static str] = if candidate.extra {
+        let point = &self.points[proposal.row];
+        let extra: &[&'static str] = if proposal.extra {
             &["coil_v", "coil_a", "harmonics"]
         } else {
             &[]
@@ -189,7 +189,7 @@ pub struct Measurement {
     pub temperature_c: f64,
     /// Since the first point.
     pub time_s: f64,
-    /// Columns beyond those of the dataset.
+    /// Columns beyond those of the dataset; `harmonics` stands for all of both channels.
     pub extra_columns: Vec<&'static str>,
     /// Observable in which the pair it helps most differs most.
     pub look_at: &'static str,
