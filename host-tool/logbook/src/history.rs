@@ -87,7 +87,7 @@ impl Logbook {
                    points.expanded_uncertainty_rel, instrument, points.frequency_hz,
                    number, min(position)
                    FROM records JOIN points ON record = id
-                   WHERE sensor_serial = ?1 AND verdict = 'valid'
+                   WHERE sensor_serial = ?1 AND state = 'valid'
                    AND frequency_hz BETWEEN 0.99 * ?2 AND 1.01 * ?2
                    AND points.sensitivity_v_per_ms2 IS NOT NULL
                    AND points.expanded_uncertainty_rel IS NOT NULL

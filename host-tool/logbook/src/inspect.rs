@@ -12,7 +12,7 @@ const MADE: [&str; 4] = [
      sensor_serial, sensor_model, operator, complete, points, refused, reference_frequency_hz,
      sensitivity_v_per_ms2, expanded_uncertainty_rel, kind, series FROM records",
     "SELECT 'point ' || (position + 1) || ' of record ' || number || ' of ' || instrument, sha256,
-     position, frequency_hz, acceleration_rms_ms2, verdict, points.sensitivity_v_per_ms2,
+     position, frequency_hz, acceleration_rms_ms2, state, points.sensitivity_v_per_ms2,
      points.expanded_uncertainty_rel, coverage_factor, phase_rad, expanded_uncertainty_phase_rad
      FROM points LEFT JOIN records ON id = record",
     "SELECT 'operator ' || name, * FROM operators",

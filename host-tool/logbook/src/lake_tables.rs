@@ -28,8 +28,8 @@ pub(super) const LAKE_TABLES: [Table; 5] = [
         select: "SELECT id, lower(hex(sha256)), instrument,
                  iif(unix_time_s > 0, 1000 * unix_time_s, NULL), sensor_serial, sensor_model, operator, position,
                  frequency_hz, acceleration_rms_ms2,
-                 CASE verdict WHEN 'valid' THEN 'valid' ELSE 'refused' END,
-                 nullif(substr(verdict, length('refused: ') + 1), ''),
+                 CASE state WHEN 'valid' THEN 'valid' ELSE 'refused' END,
+                 nullif(substr(state, length('refused: ') + 1), ''),
                  points.sensitivity_v_per_ms2, points.expanded_uncertainty_rel, coverage_factor,
                  57.29577951308232 * phase_rad, 57.29577951308232 * expanded_uncertainty_phase_rad
                  FROM records JOIN points ON record = id",
@@ -55,7 +55,7 @@ pub(super) const LAKE_TABLES: [Table; 5] = [
                   certified_expanded_uncertainty_rel real",
         select: "SELECT id, lower(hex(sha256)), instrument,
                  iif(unix_time_s > 0, 1000 * unix_time_s, NULL), check_standards.serial, every_days,
-                 points.frequency_hz, CASE verdict WHEN 'valid' THEN 'valid' ELSE 'refused' END,
+                 points.frequency_hz, CASE state WHEN 'valid' THEN 'valid' ELSE 'refused' END,
                  points.sensitivity_v_per_ms2, points.expanded_uncertainty_rel, certified_v_per_ms2,
                  certified_expanded_uncertainty_rel
                  FROM check_standards JOIN records ON sensor_serial = check_standards.serial

@@ -62,8 +62,8 @@ pub(super) const TABLES: &[Table] = &[
         select: "SELECT CAST(strftime('%Y', unix_time_s, 'unixepoch') AS INTEGER), id,
                  lower(hex(sha256)), instrument, sensor_serial, sensor_model, operator,
                  1000 * unix_time_s, position, frequency_hz, acceleration_rms_ms2,
-                 CASE verdict WHEN 'valid' THEN 'valid' ELSE 'refused' END,
-                 nullif(substr(verdict, length('refused: ') + 1), ''),
+                 CASE state WHEN 'valid' THEN 'valid' ELSE 'refused' END,
+                 nullif(substr(state, length('refused: ') + 1), ''),
                  points.sensitivity_v_per_ms2, points.expanded_uncertainty_rel, coverage_factor,
                  57.29577951308232 * phase_rad, 57.29577951308232 * expanded_uncertainty_phase_rad
                  FROM records JOIN points ON record = id ORDER BY 1, id, position",

@@ -126,7 +126,7 @@ fn what_another_program_changes_is_noticed() {
         "UPDATE records SET expanded_uncertainty_rel = 0.001",
         "UPDATE sqlite_sequence SET seq = 9",
         "UPDATE records SET refused = 0, operator = 'Somebody' WHERE id = 1",
-        "UPDATE points SET verdict = 'refused: Noise' WHERE record = 1",
+        "UPDATE points SET state = 'refused: Noise' WHERE record = 1",
         "UPDATE points SET expanded_uncertainty_rel = 0.001",
         "DELETE FROM points WHERE record = 3",
         "UPDATE operators SET last_s = 1",
