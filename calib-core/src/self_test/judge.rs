@@ -125,7 +125,7 @@ pub struct Evidence {
     pub stack_unused_bytes: u32,
     /// Stored records that cannot be read; none where the record area does not answer.
     pub records_unreadable: Option<u32>,
-    /// Option bytes of the part, set on the bench.
+    /// Option bytes of the part, set in the workshop.
     pub option_bytes: OptionBytes,
     /// Wrong words of the image.
     pub image: WrongWords,

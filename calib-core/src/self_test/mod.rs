@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`figures`] | offset and noise at rest, and with single conversions the dither; gain, offset, distortion and noise of the drive's converter |
 //! | [`judge`] | lines with limits |
-//! | [`option_bytes`] | what the part was told on the bench |
+//! | [`option_bytes`] | what the part was told in the workshop |
 //!
 //! The self-test measures the board and nothing on it: the drive's converter is heard on the chip,
 //! with its pin let go, and the table stays where it is.

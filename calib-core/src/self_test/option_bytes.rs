@@ -1,4 +1,4 @@
-//! Option bytes: what a part was told once, on the bench, and keeps for good.
+//! Option bytes: what a part was told once, in the workshop, and keeps for good.
 
 use serde::{Deserialize, Serialize};
 

@@ -1,4 +1,4 @@
-//! Settings of a field calibrator as it leaves the bench.
+//! Settings of a field calibrator as it leaves the workshop.
 
 use super::{
     Distribution, Example, Influence, InputScale, Limits, Method, PointInfluences,

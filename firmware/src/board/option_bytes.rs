@@ -1,4 +1,4 @@
-//! Option bytes, which are written on the bench and only read here (docs/decisions.md).
+//! Option bytes, which are written in the workshop and only read here (docs/decisions.md).
 
 use calib_core::self_test::OptionBytes;
 use embassy_stm32::pac;
