@@ -70,6 +70,19 @@ fn interrupt(child: &Child) {
     assert!(sent.expect("kill").success());
 }
 
+/// An instrument that starts reads its flash and is busy; so is a computer that runs other tests beside this one.
+fn wait_for_answer(folder: &Path, device: &str) {
+    let ask = ["records", "-d", device, "--json"];
+    let mut asked = (0..200).map(|_| output(folder, &ask));
+    let answered = asked.any(|answer| {
+        answer.status.success() || {
+            std::thread::sleep(Duration::from_millis(50));
+            false
+        }
+    });
+    assert!(answered, "{device} starts");
+}
+
 /// `calib emulate` in another process, switched off at the end.
 struct Emulated {
     process: Child,
@@ -91,21 +104,8 @@ impl Emulated {
             address: address.trim().to_owned(),
             _output: output,
         };
-        emulated.answers(folder);
+        wait_for_answer(folder, &emulated.address);
         emulated
-    }
-
-    /// It reads its flash while it starts, and is busy; so is a computer that runs other tests beside this one.
-    fn answers(&self, folder: &Path) {
-        let ask = ["records", "-d", &self.address, "--json"];
-        let mut asked = (0..200).map(|_| output(folder, &ask));
-        let answered = asked.any(|answer| {
-            answer.status.success() || {
-                std::thread::sleep(Duration::from_millis(50));
-                false
-            }
-        });
-        assert!(answered, "{} starts", self.address);
     }
 
     fn switch_off(mut self) {

@@ -1,6 +1,6 @@
 //! `calib update`, the program, with a loader and the shipping image behind it.
 
-use super::{folder, json, output};
+use super::{folder, json, output, wait_for_answer};
 use calib_host::emulated::EmulatedUsbTransport;
 use calib_tests::rigged::Fault;
 use calib_tests::two_slots::{TwoSlots, VERSION};
@@ -84,6 +84,7 @@ fn run(
 
 /// The image that an instrument says it runs.
 fn image(folder: &Path, device: &str) -> serde_json::Value {
+    wait_for_answer(folder, device);
     json(folder, &["--device", device, "info"])["image"].clone()
 }
 
