@@ -31,20 +31,6 @@ pub enum Axis {
 }
 
 impl Axis {
-    /// All of them.
-    const ALL: [Self; 10] = [
-        Self::Frequency,
-        Self::Level,
-        Self::InverseLevel,
-        Self::Travel,
-        Self::Time,
-        Self::Payload,
-        Self::Temperature,
-        Self::Rotation,
-        Self::CoilVoltage,
-        Self::Amplitude,
-    ];
-
     /// Conditions of the rows of a table.
     pub(crate) const CONDITIONS: [Self; 8] = [
         Self::Frequency,
@@ -102,10 +88,12 @@ impl JsonSchema for Axis {
     }
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let others = [Self::InverseLevel, Self::Amplitude];
+        let all = Self::CONDITIONS.into_iter().chain(others);
         json_schema!({
             "description": "Condition along which a deviation varies.",
             "type": "string",
-            "enum": Self::ALL.map(Self::name)
+            "enum": all.map(Self::name).collect::<Vec<_>>()
         })
     }
 }
